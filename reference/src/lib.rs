@@ -1,0 +1,1 @@
+//! The f64 and i128 reference.

@@ -1,0 +1,2 @@
+//! The scenes.
+#![no_std]
