@@ -51,6 +51,9 @@ pub enum TextureError {
 }
 
 impl<'a> Texture<'a> {
+    /// One white texel.
+    pub const WHITE: Self = Self { texels: &[0xFFFF], width_log2: 0, height_log2: 0, wrap: Wrap::Repeat };
+
     /// A texture of `width` times `height` texels in rows from the top. It repeats beyond its edges.
     ///
     /// # Errors
@@ -79,6 +82,11 @@ impl<'a> Texture<'a> {
     pub const fn with_wrap(mut self, wrap: Wrap) -> Self {
         self.wrap = wrap;
         self
+    }
+
+    /// The powers of two that width and height are.
+    pub(crate) const fn sizes_log2(&self) -> [u8; 2] {
+        [self.width_log2, self.height_log2]
     }
 
     /// Texels in a row.

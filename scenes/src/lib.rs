@@ -1,2 +1,5 @@
 //! The scenes.
 #![no_std]
+
+pub mod mesh;
+pub mod texture;

@@ -10,7 +10,7 @@
 //! | attribute plane | [`Attribute`] | ±32 768 | 2^-16 | nearest |
 //! | 1/w | [`Inverse`] | 0 to 1 of the triangle's largest | 2^-31 | down |
 
-use fixed::types::{I16F16, I24F8, U1F31, U16F16};
+use fixed::types::{I1F31, I16F16, I24F8, U16F16};
 
 /// A length in the scene's own unit: ±32 768 in steps of 2^-16.
 pub type Length = I16F16;
@@ -27,12 +27,12 @@ pub type DepthCode = U16F16;
 pub type Attribute = I16F16;
 
 /// 1/w as a fraction of a power of two at least as large as the triangle's largest.
-pub type Inverse = U1F31;
+pub type Inverse = I1F31;
 
 /// A homogeneous clip coordinate: an integer in a power of two that all vertices of a mesh share.
 ///
 /// Only ratios of clip coordinates mean anything, so the power itself is dropped.
-pub type Clip = i32;
+pub(crate) type Clip = i32;
 
 /// Bits after the point of a [`Coord`].
 pub(crate) const SUBPIXEL_BITS: u32 = 8;

@@ -1,0 +1,140 @@
+//! Matrices as integer mantissas that share one power of two.
+
+use super::format::Length;
+
+/// A 4x4 matrix for column vectors: integers of up to 30 bits that share one exponent, so nothing is lost when a
+/// small mesh stands far away.
+///
+/// An element is `mantissa * 2^-exponent`. Products are rounded to nearest at 2^-30 of the largest element.
+///
+/// ```
+/// use topleft::{Length, Matrix};
+///
+/// const HALF: Length = Length::lit("0.5");
+/// const O: Length = Length::ZERO;
+/// const SHRINK: Matrix = Matrix::new([[HALF, O, O, O], [O, HALF, O, O], [O, O, HALF, O], [O, O, O, Length::ONE]]);
+/// let quarter = SHRINK.times(&SHRINK);
+/// assert_eq!(quarter.row(0)[0] * 4, quarter.row(3)[3]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Matrix {
+    rows: [[i32; 4]; 4],
+    exponent: i32,
+}
+
+impl Matrix {
+    /// Leaves every point where it is.
+    pub const IDENTITY: Self = {
+        let (i, o) = (Length::ONE, Length::ZERO);
+        Self::new([[i, o, o, o], [o, i, o, o], [o, o, i, o], [o, o, o, i]])
+    };
+
+    /// Sends every point to nowhere: what a camera that cannot exist draws with.
+    pub const NOWHERE: Self = Self { rows: [[0; 4]; 4], exponent: 0 };
+
+    /// A matrix of fixed-point elements, row by row. Usable in a `const`, without a float in the program.
+    pub const fn new(rows: [[Length; 4]; 4]) -> Self {
+        let mut wide = [[0; 4]; 4];
+        let mut i = 0;
+        while i < 16 {
+            wide[i / 4][i % 4] = rows[i / 4][i % 4].to_bits() as i64;
+            i += 1;
+        }
+        Self::normalised(wide, 16)
+    }
+
+    /// The mantissas of a row, in 2^-30 to 2^30.
+    pub const fn row(&self, row: usize) -> [i32; 4] {
+        if row < 4 { self.rows[row] } else { [0; 4] }
+    }
+
+    /// The power of two that the elements share: an element is its mantissa times 2 to the minus this.
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// The matrix that does `other` first and then this.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let [b0, b1, b2, b3] = other.rows;
+        let rows = self.rows.map(|[a0, a1, a2, a3]| {
+            let column = |[p, q, r, s]: [i32; 4]| {
+                // Mantissas have at most 30 bits and a sign: four products fit.
+                i64::from(a0) * i64::from(p)
+                    + i64::from(a1) * i64::from(q)
+                    + i64::from(a2) * i64::from(r)
+                    + i64::from(a3) * i64::from(s)
+            };
+            [
+                column([b0[0], b1[0], b2[0], b3[0]]),
+                column([b0[1], b1[1], b2[1], b3[1]]),
+                column([b0[2], b1[2], b2[2], b3[2]]),
+                column([b0[3], b1[3], b2[3], b3[3]]),
+            ]
+        });
+        Self::normalised(rows, self.exponent.saturating_add(other.exponent))
+    }
+
+    /// Rounds wide elements so that the largest has 30 bits.
+    pub(crate) const fn normalised(wide: [[i64; 4]; 4], exponent: i32) -> Self {
+        let mut bits = 0;
+        let mut i = 0;
+        while i < 16 {
+            bits |= wide[i / 4][i % 4].unsigned_abs();
+            i += 1;
+        }
+        if bits == 0 {
+            return Self::NOWHERE;
+        }
+        let shift = bits.leading_zeros() as i32 - 34;
+        let mut rows = [[0; 4]; 4];
+        let mut i = 0;
+        while i < 16 {
+            rows[i / 4][i % 4] = shifted(wide[i / 4][i % 4], shift);
+            i += 1;
+        }
+        Self { rows, exponent: exponent.saturating_add(shift) }
+    }
+}
+
+/// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1).
+const fn shifted(value: i64, shift: i32) -> i32 {
+    const LIMIT: i64 = (1 << 30) - 1;
+    let moved = if shift >= 0 { value << shift } else { ((value >> (-shift - 1)) + 1) >> 1 };
+    if moved > LIMIT {
+        LIMIT as i32
+    } else if moved < -LIMIT {
+        -LIMIT as i32
+    } else {
+        moved as i32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_does_the_right_factor_first() {
+        let l = |v: i32| Length::from_num(v);
+        let o = Length::ZERO;
+        let scale = Matrix::new([[l(2), o, o, o], [o, l(2), o, o], [o, o, l(2), o], [o, o, o, l(1)]]);
+        let shift = Matrix::new([[l(1), o, o, l(5)], [o, l(1), o, o], [o, o, l(1), o], [o, o, o, l(1)]]);
+        let value = |m: &Matrix, r: usize, c: usize| m.row(r)[c] >> m.exponent();
+        let both = scale.times(&shift);
+        assert_eq!((value(&both, 0, 0), value(&both, 0, 3)), (2, 10));
+        let both = shift.times(&scale);
+        assert_eq!((value(&both, 0, 0), value(&both, 0, 3)), (2, 5));
+    }
+
+    #[test]
+    fn extremes_neither_overflow_nor_panic() {
+        let most = Matrix::new([[Length::MIN; 4]; 4]);
+        let mut product = most;
+        for _ in 0..100 {
+            product = product.times(&most);
+            assert!(product.row(0)[0].unsigned_abs() < 1 << 30);
+        }
+        assert_eq!(most.times(&Matrix::NOWHERE), Matrix::NOWHERE);
+    }
+}

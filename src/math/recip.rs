@@ -1,0 +1,173 @@
+//! Reciprocals and roots: the only divisions of the library, apart from the slope of a shallow edge and the clipper.
+//!
+//! All of them are defined to the bit: a table, linear interpolation and Newton steps in integers, so that no chip's
+//! divider can change a pixel. The three names are the three uses.
+//!
+//! | function | for | relative error | steps |
+//! |---|---|---|---|
+//! | [`pixel`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
+//! | [`vertex`] | perspective divide, once a vertex | -2^-27.9 | and one Newton step |
+//! | [`area`] | gradients, once a triangle | ±2^-30 | and one more |
+//!
+//! The chord of a convex function lies above it, by at most `f'' h^2 / 8 = 2 / 64^2 / 8 = 2^-14` between entries, and entries have steps of 2^-16; a
+//! Newton step squares the error and leaves it below.
+
+/// `round(2^16 / (1 + i / 64)) - 2^15`, so that the first entry fits too.
+const TABLE: [u16; 65] = {
+    let mut table = [0; 65];
+    let mut i = 0;
+    while i < table.len() {
+        let denominator = 64 + i as u32;
+        table[i] = (((64 << 17) / denominator + 1) / 2 - 32_768) as u16;
+        i += 1;
+    }
+    table
+};
+
+/// A reciprocal with its power of two: see each function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Reciprocal {
+    /// 2^30 to 2^31: one over the argument's 32 leading bits.
+    pub(crate) mantissa: u32,
+    /// The argument's leading zeros.
+    pub(crate) shift: u32,
+}
+
+/// `2^47 / x` for `x` in [2^31, 2^32), in [2^15, 2^16]: the table and linear interpolation.
+#[inline(always)]
+fn seed(normalised: u32) -> u32 {
+    let index = (normalised >> 25 & 63) as usize;
+    let fraction = normalised >> 9 & 0xFFFF;
+    // `index` is below 64: these are for the compiler, which then needs no panic path.
+    let low = TABLE.get(index).copied().unwrap_or_default() as u32;
+    let high = TABLE.get(index + 1).copied().unwrap_or_default() as u32;
+    low + 32_768 - (((low - high) * fraction + 0x8000) >> 16)
+}
+
+/// `2^47 / (q << shift)` in [2^15, 2^16], and the shift that normalises `q`. A zero counts as one.
+#[inline(always)]
+pub(crate) fn pixel(q: u32) -> (u32, u32) {
+    let q = q.max(1);
+    let shift = q.leading_zeros();
+    (seed(q << shift), shift)
+}
+
+/// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
+#[inline]
+pub(crate) fn vertex(w: u32) -> Reciprocal {
+    let w = w.max(1);
+    let shift = w.leading_zeros();
+    let normalised = w << shift;
+    let seed = seed(normalised);
+    // Newton: r' = r (2 - x r), with x r in 47 fraction bits.
+    let complement = ((2 << 47) - u64::from(normalised) * u64::from(seed)) >> 16;
+    Reciprocal { mantissa: (u64::from(seed) * complement >> 16) as u32, shift }
+}
+
+/// `2^62 / (a << shift)` to the last bit or two, of the doubled area's 32 leading bits. A zero counts as one.
+///
+/// `shift` is negative where the area has more than 32 bits; it is rounded to nearest there.
+#[inline]
+pub(crate) fn area(area2: u64) -> (u32, i32) {
+    let area2 = area2.max(1);
+    let shift = area2.leading_zeros() as i32 - 32;
+    let (normalised, shift) = if shift >= 0 {
+        ((area2 << shift) as u32, shift)
+    } else {
+        let rounded = (area2 >> (-shift - 1)).wrapping_add(1) >> 1;
+        if rounded >> 32 == 0 { (rounded as u32, shift) } else { (1 << 31, shift - 1) }
+    };
+    let first = vertex(normalised).mantissa;
+    // The second Newton step as a correction: what is missing from x r = 2^62, times r.
+    let missing = (1_i64 << 62) - (u64::from(normalised) * u64::from(first)) as i64;
+    let correction = ((missing >> 8) * i64::from(first)) >> 54;
+    ((i64::from(first) + correction) as u32, shift)
+}
+
+/// A vector scaled to length 1, in 30 fraction bits, within ±2^-28. The zero vector stays.
+pub(crate) fn normalise(vector: [i32; 3]) -> [i32; 3] {
+    let largest = vector.iter().fold(0, |most, c| most.max(c.unsigned_abs()));
+    let Some(zeros) = largest.checked_ilog2().map(|bits| 30 - bits as i32) else { return [0; 3] };
+    // 30 bits a component: the squares of three fit.
+    let scaled = vector.map(|c| if zeros >= 0 { i64::from(c) << zeros } else { i64::from(c) >> -zeros });
+    let squares = scaled.iter().fold(0_u64, |sum, c| sum + (c * c) as u64);
+    let length = squares.isqrt().max(1);
+    let inverse = vertex_of_length(length);
+    scaled.map(|c| ((c * inverse + (1 << 31)) >> 32) as i32)
+}
+
+/// `2^62 / length` for a length in [2^30, 2^32): a vector with a component in [2^30, 2^31).
+fn vertex_of_length(length: u64) -> i64 {
+    let (mantissa, shift) = area(length);
+    i64::from(mantissa) << shift.clamp(0, 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every input at the table's knots and halfway, and a pseudo-random walk between.
+    fn inputs() -> impl Iterator<Item = u32> {
+        let knots = (0..128).map(|i| (1 << 31) + (i << 24));
+        let walk = (1_u64..200_000).map(|i| (1 << 31) | (i.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 33) as u32);
+        knots.chain(walk)
+    }
+
+    #[test]
+    fn pixel_is_within_the_chord_and_a_step() {
+        for x in inputs() {
+            let (r, shift) = pixel(x);
+            assert_eq!(shift, 0);
+            // x r = 2^47 (1 + e). The entries and the interpolation are each rounded by half a step of r; the chord
+            // lies up to 2^-14 above.
+            let product = u64::from(x) * u64::from(r);
+            assert!(product >= (1 << 47) - u64::from(x), "{x:#x}: {product:#x} is too low");
+            assert!(product <= (1 << 47) + (1 << 33) + u64::from(x), "{x:#x}: {product:#x} is too high");
+        }
+    }
+
+    #[test]
+    fn vertex_is_below_by_at_most_the_square_and_exact_for_powers_of_two() {
+        for x in inputs() {
+            let r = vertex(x);
+            let product = u64::from(x) * u64::from(r.mantissa);
+            // The seed is off by at most 2^-14 + 2 steps of 2^-16 = 1.5 * 2^-14; squared, and two truncations.
+            let square = (1_u64 << 62) >> 28;
+            assert!(product <= 1 << 62, "{x:#x}");
+            assert!((1 << 62) - product <= square * 9 / 4 + 3 * (1 << 32), "{x:#x}");
+        }
+        for bit in 0..32 {
+            assert_eq!(vertex(1 << bit), Reciprocal { mantissa: 1 << 31, shift: 31 - bit });
+        }
+        assert_eq!(vertex(0), vertex(1));
+    }
+
+    #[test]
+    fn area_is_within_2_to_the_minus_30() {
+        for x in inputs() {
+            for shift in [0, 5, 31] {
+                let (r, normalised) = area(u64::from(x >> shift));
+                let exact = u64::from(x >> shift) << normalised;
+                let product = u128::from(exact) * u128::from(r);
+                assert!(product.abs_diff(1 << 62) <= 1 << 32, "{x:#x} >> {shift}");
+            }
+            let wide = u64::from(x) << 8 | 0x5A;
+            let (r, shift) = area(wide);
+            let product = (u128::from(wide) * u128::from(r)) >> -shift;
+            assert!(product.abs_diff(1 << 62) <= 1 << 32, "{x:#x} wide");
+        }
+        assert_eq!(area(u64::from(u32::MAX) << 8 | 0xFF), (1 << 31, -9), "rounding up to the next power");
+    }
+
+    #[test]
+    fn a_normalised_vector_has_length_one() {
+        for v in [[1, 0, 0], [3, -4, 12], [i32::MAX, i32::MIN, 1], [-70_000, 70_000, 70_000], [5, 5, 5]] {
+            let n = normalise(v);
+            let squares: i64 = n.iter().map(|&c| i64::from(c) * i64::from(c)).sum();
+            // Each component is within 4 steps of 2^-30 of a unit vector: the square is off by 2 * sqrt(3) * 4 steps.
+            assert!((squares - (1 << 60)).abs() <= 14 << 30, "{v:?} {n:?} {squares:#x}");
+            assert!(v.iter().zip(n).all(|(&a, b)| a.signum() == b.signum() || b == 0));
+        }
+        assert_eq!(normalise([0; 3]), [0; 3]);
+    }
+}

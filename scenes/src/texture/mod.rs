@@ -1,0 +1,9 @@
+//! The textures of the scenes, made by `meshpack make`.
+
+mod brick;
+mod checker;
+mod test_card;
+
+pub use brick::BRICK;
+pub use checker::CHECKER;
+pub use test_card::TEST_CARD;

@@ -1,0 +1,168 @@
+//! Stage 6. Cuts a span into its visible runs, before any pixel is shaded.
+//!
+//! A depth code is a `u16`: 0 is cleared and beyond the far plane, and greater is nearer. It is
+//! `4 + 65528 (1 - z / w)`, linear on the screen, from 4 at the far plane to 65 532 at the near one: the margin of 4
+//! codes is more than interpolation is ever off by, so the wrapping plane never crosses an end of the range.
+
+use core::ops::Range;
+
+use crate::attributes::Words;
+use crate::math::format::DepthCode;
+use crate::varying::Varying;
+
+/// What hides what. A type parameter: a list without depth has no buffer, no cycle and no code for it.
+pub trait Depth {
+    /// What a vertex carries for it.
+    type Vertex: Words;
+    /// What changes over a triangle.
+    type Varying: Varying;
+    /// The cells of a strip.
+    type Plane<'p>;
+
+    /// From `1 - z / w`, in 32 fraction bits.
+    #[doc(hidden)]
+    fn vertex(nearness: impl FnOnce() -> u32) -> Self::Vertex;
+
+    #[doc(hidden)]
+    fn varying(vertex: Self::Vertex) -> Self::Varying;
+
+    #[doc(hidden)]
+    fn clear(plane: &mut Self::Plane<'_>);
+
+    /// Calls `visible` with each run of the cells in `span` that the plane starting at `start` is nearer than.
+    #[doc(hidden)]
+    fn runs(
+        plane: &mut Self::Plane<'_>,
+        span: Range<usize>,
+        start: Self::Varying,
+        step: Self::Varying,
+        visible: impl FnMut(Range<usize>),
+    );
+}
+
+/// No depth: what is drawn later hides what was drawn before.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoDepth;
+
+/// A 16-bit depth buffer: the nearer pixel hides the other, and the earlier of two that are equal.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Depth16;
+
+impl Depth for NoDepth {
+    type Vertex = ();
+    type Varying = ();
+    type Plane<'p> = ();
+
+    #[inline]
+    fn vertex(_: impl FnOnce() -> u32) {}
+
+    #[inline]
+    fn varying((): ()) {}
+
+    fn clear((): &mut ()) {}
+
+    #[inline(always)]
+    fn runs((): &mut (), span: Range<usize>, (): (), (): (), mut visible: impl FnMut(Range<usize>)) {
+        visible(span);
+    }
+}
+
+/// Bits of a 1 at the near plane that the margins take away: `2^32 - 2^19` is 65 528 codes.
+const MARGIN_BITS: u32 = 13;
+/// The code of the far plane.
+const FAR: u32 = 4 << 16;
+
+impl Depth for Depth16 {
+    type Vertex = DepthVertex;
+    type Varying = DepthCode;
+    type Plane<'p> = &'p mut [u16];
+
+    #[inline]
+    fn vertex(nearness: impl FnOnce() -> u32) -> DepthVertex {
+        let near = nearness();
+        DepthVertex(DepthCode::from_bits(near - (near >> MARGIN_BITS) + FAR))
+    }
+
+    #[inline]
+    fn varying(vertex: DepthVertex) -> DepthCode {
+        vertex.0
+    }
+
+    fn clear(plane: &mut &mut [u16]) {
+        plane.fill(0);
+    }
+
+    #[inline(always)]
+    fn runs(
+        plane: &mut &mut [u16],
+        span: Range<usize>,
+        start: DepthCode,
+        step: DepthCode,
+        mut visible: impl FnMut(Range<usize>),
+    ) {
+        let first = span.start;
+        let Some(mut cells) = plane.get_mut(span) else { return };
+        let mut at = first;
+        let mut code = start.to_bits();
+        while !cells.is_empty() {
+            let hidden = hidden(cells, code, step.to_bits());
+            let Some(rest) = cells.get_mut(hidden..) else { return };
+            code = code.wrapping_add(step.to_bits().wrapping_mul(hidden as u32));
+            let nearer = cover(rest, code, step.to_bits());
+            if nearer != 0 {
+                visible(at + hidden..at + hidden + nearer);
+            }
+            let Some(rest) = rest.get_mut(nearer..) else { return };
+            code = code.wrapping_add(step.to_bits().wrapping_mul(nearer as u32));
+            at += hidden + nearer;
+            cells = rest;
+        }
+    }
+}
+
+/// How many cells from the first on are as near as the plane, or nearer.
+#[inline(never)]
+fn hidden(cells: &[u16], mut code: u32, step: u32) -> usize {
+    let mut count = 0;
+    for &cell in cells {
+        if (code >> 16) as u16 > cell {
+            break;
+        }
+        code = code.wrapping_add(step);
+        count += 1;
+    }
+    count
+}
+
+/// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many they were.
+#[inline(never)]
+fn cover(cells: &mut [u16], mut code: u32, step: u32) -> usize {
+    let mut count = 0;
+    for cell in cells {
+        let depth = (code >> 16) as u16;
+        if depth <= *cell {
+            break;
+        }
+        *cell = depth;
+        code = code.wrapping_add(step);
+        count += 1;
+    }
+    count
+}
+
+/// A vertex's depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DepthVertex(DepthCode);
+
+impl Words for DepthVertex {
+    const WORDS: usize = 1;
+
+    fn store(self, put: &mut impl FnMut(u32)) {
+        put(self.0.to_bits());
+    }
+
+    #[inline]
+    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+        words.next().map(|word| Self(DepthCode::from_bits(word)))
+    }
+}

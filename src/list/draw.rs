@@ -1,0 +1,295 @@
+//! Into the list: a mesh's vertices to the screen, its faces culled, clipped and put in canonical order.
+
+use core::marker::PhantomData;
+
+use super::render::{self, stride};
+use super::{DrawError, DrawList, Kept, ListTriangle, MAX_WORDS};
+use crate::attributes::Words;
+use crate::camera::Camera;
+use crate::clip::{ClipVertex, Outcode, Polygon, clip};
+use crate::depth::Depth;
+use crate::math::recip::Reciprocal;
+use crate::mesh::Mesh;
+use crate::pose::Pose;
+use crate::raster::Traversal;
+use crate::setup::{area2, canonical};
+use crate::shade::{PixelShader, Shader};
+use crate::snapped::{Snapped, first_centre};
+use crate::transform::{PerVertexInverse, Position, Projection, Transform};
+
+impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
+    /// Draws a mesh into the list: its vertices to the screen, its faces culled, clipped and put in order.
+    ///
+    /// # Errors
+    /// [`DrawError::Full`] tells how much did not fit, where the list is too small: what did fit stays in it. The
+    /// other errors leave the list as it was.
+    pub fn draw<C: Camera, S: Shader<'a, P>>(
+        &mut self,
+        camera: &C,
+        mesh: &Mesh<'_>,
+        pose: &Pose,
+        shader: &S,
+    ) -> Result<(), DrawError> {
+        let transform = Transform::new(camera, mesh, pose)?;
+        let faces = mesh.faces().len();
+        if transform.misses(mesh.bounds()) {
+            self.stats.faces += faces;
+            self.stats.outside += faces;
+            return Ok(());
+        }
+        let kept = self.keep::<S::Pixel>(&shader.pixel())?;
+        let viewport = transform.projection.viewport;
+        self.size = [viewport.width(), viewport.height()];
+        self.stats.faces += faces;
+        let drawing = Drawing::<C, S, P, D> {
+            local: shader.local(mesh, pose),
+            transform,
+            mesh,
+            shader,
+            kept,
+            types: PhantomData,
+        };
+        let base = self.used_words;
+        if let Err(words) = self.reserve(mesh.positions().len() * Drawing::<C, S, P, D>::STRIDE) {
+            return Err(DrawError::Full { triangles: faces, words });
+        }
+        drawing.vertices(self.words.get_mut(base..).unwrap_or_default());
+        let mut left_out = LeftOut::default();
+        for (face, corners) in mesh.faces().iter().enumerate() {
+            let vertices = corners.map(|corner| base + usize::from(corner) * Drawing::<C, S, P, D>::STRIDE);
+            match seen(vertices.map(|at| self.header(at))) {
+                Seen::Outside => self.stats.outside += 1,
+                Seen::Whole(points) => self.face(&drawing, face, vertices, points, &mut left_out),
+                Seen::Crossing(planes) => {
+                    self.stats.clipped += 1;
+                    self.clipped(&drawing, face, *corners, planes, &mut left_out);
+                }
+            }
+        }
+        left_out.result()
+    }
+
+    /// Where a shader is kept: the same place as an equal one before it.
+    fn keep<S: PixelShader<'a, P>>(&mut self, shader: &S) -> Result<u8, DrawError> {
+        let kept = Kept { uniforms: shader.uniforms(), draw: render::triangle::<P, D, T, S> };
+        let same = |other: &Kept<'a, P, D>| {
+            core::ptr::fn_addr_eq(other.draw, kept.draw) && other.uniforms == kept.uniforms
+        };
+        if let Some(place) = self.shaders.iter().position(same) {
+            return Ok(place as u8);
+        }
+        self.shaders.push(kept).map_err(|_| DrawError::TooManyShaders)?;
+        Ok((self.shaders.len() - 1) as u8)
+    }
+
+    /// Takes words for vertices; or tells how many are missing.
+    fn reserve(&mut self, words: usize) -> Result<(), usize> {
+        let end = self.used_words + words;
+        let all = self.words.len().min(MAX_WORDS);
+        if end > all {
+            return Err(end - all);
+        }
+        self.used_words = end;
+        Ok(())
+    }
+
+    /// The first two words of a vertex.
+    fn header(&self, at: usize) -> [u32; 2] {
+        match self.words.get(at..) {
+            Some([x, y, ..]) => [*x, *y],
+            _ => [UNSEEN, u32::from(u8::MAX)],
+        }
+    }
+
+    /// Adds a triangle of three vertices of the list, unless it is culled or touches no pixel centre of the viewport.
+    fn face<C: Camera, S: Shader<'a, P>>(
+        &mut self,
+        drawing: &Drawing<'_, 'a, C, S, P, D>,
+        face: usize,
+        vertices: [usize; 3],
+        points: [Snapped; 3],
+        left_out: &mut LeftOut,
+    ) {
+        let [a, b, c] = points;
+        if self.cull.leaves_out(area2(a, b, c)) {
+            self.stats.culled += 1;
+            return;
+        }
+        let [width, height] = self.size;
+        let (left, right) = centres(points.map(|p| p.x.to_bits()), width);
+        let (top, bottom) = centres(points.map(|p| p.y.to_bits()), height);
+        if left == right || top == bottom {
+            self.stats.outside += 1;
+            return;
+        }
+        let Some(place) = self.triangles.get_mut(self.used_triangles) else {
+            left_out.triangles += 1;
+            return;
+        };
+        let order = canonical(points);
+        *place = ListTriangle {
+            vertices: order.map(|i| vertices.get(i).copied().unwrap_or_default() as u16),
+            shader: drawing.kept,
+            colour: drawing.shader.face(&drawing.local, drawing.mesh, face),
+            rows: [top, bottom],
+        };
+        self.used_triangles += 1;
+        self.stats.drawn += 1;
+    }
+
+    /// Clips a face, and adds the polygon that is left of it as a fan from its least vertex.
+    fn clipped<C: Camera, S: Shader<'a, P>>(
+        &mut self,
+        drawing: &Drawing<'_, 'a, C, S, P, D>,
+        face: usize,
+        corners: [u16; 3],
+        planes: Outcode,
+        left_out: &mut LeftOut,
+    ) {
+        let polygon = drawing.polygon(corners, planes);
+        let stride = Drawing::<C, S, P, D>::STRIDE;
+        let base = self.used_words;
+        if let Err(words) = self.reserve(polygon.len() * stride) {
+            left_out.triangles += polygon.len().saturating_sub(2);
+            left_out.words += words;
+            return;
+        }
+        let words = self.words.get_mut(base..).unwrap_or_default();
+        for (vertex, words) in polygon.iter().zip(words.chunks_mut(stride)) {
+            drawing.store(words, &vertex.position, vertex.attributes);
+        }
+        for last in 2..polygon.len() {
+            let vertices = [0, last - 1, last].map(|place| base + place * stride);
+            let points = vertices.map(|at| {
+                let [x, y] = self.header(at);
+                Snapped::from_bits(x.cast_signed(), y.cast_signed())
+            });
+            self.face(drawing, face, vertices, points, left_out);
+        }
+    }
+}
+
+/// The first row or column with a centre in a triangle, and the one after the last, inside the viewport.
+fn centres(ends: [i32; 3], length: i32) -> (u16, u16) {
+    let [a, b, c] = ends.map(first_centre);
+    let inside = |centre: i32| centre.clamp(0, length) as u16;
+    (inside(a.min(b).min(c)), inside(a.max(b).max(c)))
+}
+
+/// What did not fit.
+#[derive(Default)]
+struct LeftOut {
+    triangles: usize,
+    words: usize,
+}
+
+impl LeftOut {
+    fn result(self) -> Result<(), DrawError> {
+        let Self { triangles, words } = self;
+        if triangles == 0 { Ok(()) } else { Err(DrawError::Full { triangles, words }) }
+    }
+}
+
+/// The first word of a vertex that lies outside some plane: the second names the planes.
+const UNSEEN: u32 = 1 << 31;
+
+/// What the headers of three vertices say of their face.
+enum Seen {
+    Outside,
+    Whole([Snapped; 3]),
+    Crossing(Outcode),
+}
+
+fn seen(headers: [[u32; 2]; 3]) -> Seen {
+    let codes = headers.map(|[x, planes]| if x == UNSEEN { planes as u8 } else { 0 });
+    let [a, b, c] = codes;
+    if a & b & c != 0 {
+        Seen::Outside
+    } else if a | b | c == 0 {
+        Seen::Whole(headers.map(|[x, y]| Snapped::from_bits(x.cast_signed(), y.cast_signed())))
+    } else {
+        Seen::Crossing(Outcode(a | b | c))
+    }
+}
+
+/// One mesh on its way into the list.
+struct Drawing<'m, 'a, C, S: Shader<'a, P>, P, D> {
+    transform: Transform,
+    mesh: &'m Mesh<'m>,
+    shader: &'m S,
+    local: S::Local,
+    /// Where the pixel shader is kept.
+    kept: u8,
+    types: PhantomData<(&'a (), C, P, D)>,
+}
+
+/// What a vertex carries for a shader.
+type Carried<'a, S, P> = <<S as Shader<'a, P>>::Pixel as PixelShader<'a, P>>::Vertex;
+
+impl<'a, C: Camera, S: Shader<'a, P>, P, D: Depth> Drawing<'_, 'a, C, S, P, D> {
+    /// Words of a vertex.
+    const STRIDE: usize = stride::<P, D, S::Pixel>();
+
+    /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
+    fn vertices(&self, words: &mut [u32]) {
+        for ((vertex, &position), words) in
+            self.mesh.positions().iter().enumerate().zip(words.chunks_mut(Self::STRIDE))
+        {
+            let position = self.transform.position(position);
+            let planes = Outcode::new(&position, &self.transform.projection);
+            if planes == Outcode(0) {
+                self.store(words, &position, self.shader.vertex(&self.local, self.mesh, vertex));
+            } else if let [x, y, ..] = words {
+                (*x, *y) = (UNSEEN, u32::from(planes.0));
+            }
+        }
+    }
+
+    /// Writes a vertex that is inside all planes.
+    fn store(&self, words: &mut [u32], position: &Position, attributes: Carried<'a, S, P>) {
+        let inverse = self.inverse(position);
+        let (x, y) = self.transform.projection.project(position, inverse).bits();
+        let mut words = words.iter_mut();
+        let mut put = |word: u32| {
+            if let Some(place) = words.next() {
+                *place = word;
+            }
+        };
+        put(x.cast_unsigned());
+        put(y.cast_unsigned());
+        D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
+        if S::Pixel::PERSPECTIVE {
+            PerVertexInverse::new(inverse).store(&mut put);
+        }
+        attributes.store(&mut put);
+    }
+
+    /// One over w, which all vertices share where there is no perspective.
+    #[inline]
+    fn inverse(&self, position: &Position) -> Reciprocal {
+        if C::PERSPECTIVE { Projection::inverse(position.w) } else { self.transform.level_inverse }
+    }
+
+    /// What is left of a face inside the planes, in canonical order: its least vertex first, by row, then column, then
+    /// by all else that tells vertices apart, so that the fan is the same whichever vertex the face starts with.
+    fn polygon(&self, corners: [u16; 3], planes: Outcode) -> Polygon<Carried<'a, S, P>> {
+        let projection = &self.transform.projection;
+        let corner = |corner: u16| {
+            let vertex = usize::from(corner);
+            let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
+            ClipVertex {
+                position: self.transform.position(position),
+                attributes: self.shader.vertex(&self.local, self.mesh, vertex),
+            }
+        };
+        let mut polygon = clip(corners.map(corner), planes, projection);
+        let key = |vertex: &ClipVertex<_>| {
+            let at = vertex.position;
+            (projection.project(&at, self.inverse(&at)).order(), at.w, at.z, at.x, at.y)
+        };
+        let least =
+            polygon.iter().enumerate().min_by_key(|(_, vertex)| key(vertex)).map_or(0, |(place, _)| place);
+        polygon.rotate_left(least);
+        polygon
+    }
+}

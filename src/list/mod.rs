@@ -1,0 +1,184 @@
+//! A frame's triangles after the vertex stages: what is rendered to strips, as often as there are strips.
+
+use core::marker::PhantomData;
+
+use embedded_graphics_core::geometry::Size;
+use heapless::Vec;
+
+use crate::depth::Depth;
+use crate::raster::Spans;
+use crate::setup::Cull;
+use crate::shade::Uniforms;
+use crate::target::Rows;
+use crate::viewport::TooLarge;
+
+mod draw;
+mod render;
+mod storage;
+
+pub use storage::ListStorage;
+
+/// Different shaders that one list can hold. Draws with an equal one share it.
+const MAX_SHADERS: usize = 16;
+
+/// Words of vertices that a list can use: triangles name them by 16 bits.
+const MAX_WORDS: usize = 1 << 16;
+
+/// A triangle of a list: 16 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct ListTriangle {
+    /// The first words of its vertices, in canonical order.
+    vertices: [u16; 3],
+    shader: u8,
+    /// Red, green and blue of the face.
+    colour: [u8; 3],
+    /// Rows with a pixel centre between top and bottom, inside the viewport.
+    rows: [u16; 2],
+}
+
+impl ListTriangle {
+    /// What storage is filled with.
+    pub const EMPTY: Self = Self { vertices: [0; 3], shader: 0, colour: [0; 3], rows: [0; 2] };
+}
+
+/// Draws one triangle: one such function is linked for each shader that is used.
+type DrawFn<'a, P, D> = fn(&Uniforms<'a>, &[u32], &ListTriangle, &mut Rows<'_, '_, P, D>);
+
+/// A pixel shader as the list keeps it, and the function that draws with it.
+#[derive(Clone, Copy, Debug)]
+struct Kept<'a, P, D: Depth> {
+    uniforms: Uniforms<'a>,
+    draw: DrawFn<'a, P, D>,
+}
+
+/// Why a mesh is not in the list, or not all of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawError {
+    /// The list is full. What did fit is drawn.
+    Full {
+        /// Triangles that were left out, before culling where the vertices did not fit.
+        triangles: usize,
+        /// Words of vertices that were missing.
+        words: usize,
+    },
+    /// The list already holds its 16 different shaders; nothing of the mesh is drawn.
+    TooManyShaders,
+    /// The camera's target is too large; nothing of the mesh is drawn.
+    TooLarge(Size),
+}
+
+impl From<TooLarge> for DrawError {
+    fn from(TooLarge(size): TooLarge) -> Self {
+        Self::TooLarge(size)
+    }
+}
+
+/// What became of the faces that were drawn into a list.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Faces of all meshes.
+    pub faces: usize,
+    /// Faces that show the side which is culled, or have no area.
+    pub culled: usize,
+    /// Faces outside the view, and those that touch no pixel centre.
+    pub outside: usize,
+    /// Faces that were cut by the near or far plane or by the guard rectangle.
+    pub clipped: usize,
+    /// Triangles in the list.
+    pub drawn: usize,
+}
+
+/// The triangles of a frame, in borrowed storage: vertices once a frame, pixels once a strip.
+///
+/// `P` is the colour of a strip's cells, `D` its depth, `T` how pixels are found; all follow from the strips that the
+/// list is rendered to. Draw all meshes of a frame with cameras of one viewport.
+///
+/// A vertex takes two words and what its shader and depth need: flat 2, Gouraud 3, textured 4, textured with
+/// perspective 5, lit 1 more, and with depth 1 more. A triangle takes 16 bytes.
+///
+/// ```
+/// use embedded_graphics_core::geometry::Size;
+/// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+/// use topleft::{DrawList, Flat, ListTriangle, Material, Mesh, Orthographic, Pose, Strip};
+///
+/// let positions = [[-32767, -32767, 0], [32767, -32767, 0], [0, 32767, 0]];
+/// let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+/// let camera = Orthographic::new(Size::new(8, 8), 2.0, -1.0..1.0);
+///
+/// let (mut vertices, mut triangles) = ([0; 16], [ListTriangle::EMPTY; 4]);
+/// let mut list = DrawList::new(&mut vertices, &mut triangles);
+/// list.draw(&camera, &mesh, &Pose::new(), &Flat::new(Rgb565::RED)).unwrap();
+///
+/// let mut colours = [Rgb565::BLACK; 64];
+/// let mut frame = Strip::new(8, &mut colours).unwrap();
+/// list.render(0..8, &mut frame);
+/// let rows = frame.colours().chunks(8).map(|row| row.iter().filter(|&&c| c == Rgb565::RED).count());
+/// assert!(rows.eq([0, 2, 2, 4, 4, 6, 6, 8]));
+/// ```
+#[derive(Debug)]
+pub struct DrawList<'a, P, D: Depth, T = Spans> {
+    words: &'a mut [u32],
+    used_words: usize,
+    triangles: &'a mut [ListTriangle],
+    used_triangles: usize,
+    shaders: Vec<Kept<'a, P, D>, MAX_SHADERS>,
+    cull: Cull,
+    /// Columns and rows of the cameras' viewport.
+    size: [i32; 2],
+    stats: Stats,
+    traversal: PhantomData<T>,
+}
+
+impl<'a, P, D: Depth> DrawList<'a, P, D> {
+    /// An empty list over borrowed storage: words for vertices, of which 65 536 can be used, and triangles.
+    pub const fn new(vertices: &'a mut [u32], triangles: &'a mut [ListTriangle]) -> Self {
+        Self::with_traversal(vertices, triangles)
+    }
+}
+
+impl<'a, P, D: Depth, T> DrawList<'a, P, D, T> {
+    /// An empty list whose pixels are found by another traversal, with the same result.
+    ///
+    /// ```
+    /// use topleft::{BoxWalk, Depth16, DrawList};
+    ///
+    /// let list = DrawList::<u16, Depth16, BoxWalk>::with_traversal(&mut [], &mut []);
+    /// assert_eq!(list.stats().drawn, 0);
+    /// ```
+    pub const fn with_traversal(vertices: &'a mut [u32], triangles: &'a mut [ListTriangle]) -> Self {
+        Self {
+            words: vertices,
+            used_words: 0,
+            triangles,
+            used_triangles: 0,
+            shaders: Vec::new(),
+            cull: Cull::Back,
+            size: [0; 2],
+            stats: Stats { faces: 0, culled: 0, outside: 0, clipped: 0, drawn: 0 },
+            traversal: PhantomData,
+        }
+    }
+
+    /// Sets which faces are left out of what is drawn from now on: backs, unless it is said otherwise.
+    pub const fn set_cull(&mut self, cull: Cull) {
+        self.cull = cull;
+    }
+
+    /// Empties the list for the next frame. What is culled stays set.
+    pub fn clear(&mut self) {
+        self.used_words = 0;
+        self.used_triangles = 0;
+        self.shaders.clear();
+        self.stats = Stats::default();
+    }
+
+    /// What became of the faces that were drawn so far.
+    pub const fn stats(&self) -> Stats {
+        self.stats
+    }
+
+    /// Words of vertices in use.
+    pub const fn words(&self) -> usize {
+        self.used_words
+    }
+}

@@ -1,0 +1,117 @@
+//! Out of the list: its triangles into some rows of a strip, and strip by strip to a display.
+
+use core::ops::Range;
+
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::prelude::PixelColor;
+
+use super::{DrawList, ListTriangle};
+use crate::attributes::Words;
+use crate::depth::Depth;
+use crate::pipeline::{self, Vertices};
+use crate::raster::{Traversal, Window};
+use crate::setup::Setup;
+use crate::shade::{PixelShader, Uniforms};
+use crate::snapped::Snapped;
+use crate::target::{Rows, Strip};
+use crate::transform::PerVertexInverse;
+
+impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
+    /// Draws the list's triangles into some rows of the frame: the strip's first row is `rows.start` from now on.
+    ///
+    /// What the strip shows stays where no triangle is: clear it first. Triangles are drawn in the order they were
+    /// given. Nothing is changed in the list, so several cores may render from it at once.
+    pub fn render(&self, rows: Range<i32>, strip: &mut Strip<'_, P, D>) {
+        strip.set_top(rows.start);
+        let [width, height] = self.size;
+        let rows = strip.rows(rows.start.max(0)..rows.end.min(height));
+        let window = Window { columns: 0..width.min(i32::from(strip.width())), rows: rows.clone() };
+        let mut target = Rows { strip, window };
+        for triangle in self.triangles.get(..self.used_triangles).unwrap_or_default() {
+            let [first, end] = triangle.rows.map(i32::from);
+            if first < rows.end && rows.start < end {
+                if let Some(kept) = self.shaders.get(usize::from(triangle.shader)) {
+                    (kept.draw)(&kept.uniforms, self.words, triangle, &mut target);
+                }
+            }
+        }
+    }
+
+    /// Draws a whole frame to a display, strip by strip: each is cleared, rendered, and handed over by one
+    /// `fill_contiguous`. The frame's top left is the top left of the target's bounding box.
+    ///
+    /// # Errors
+    /// What the target returned.
+    pub fn present<Target>(
+        &self,
+        strip: &mut Strip<'_, P, D>,
+        target: &mut Target,
+    ) -> Result<(), Target::Error>
+    where
+        Target: DrawTarget,
+        Target::Color: PixelColor + From<P>,
+    {
+        let area = target.bounding_box();
+        let (width, height) = (strip.width(), strip.height());
+        let columns = area.size.width.min(u32::from(width));
+        let mut top = 0;
+        while columns > 0 && height > 0 && top < area.size.height {
+            let rows = u32::from(height).min(area.size.height - top);
+            strip.clear();
+            let first = top.min(i32::MAX.unsigned_abs()).cast_signed();
+            self.render(first..first.saturating_add(i32::from(height)), strip);
+            strip.send(area.top_left, first, [columns, rows], target)?;
+            top += rows;
+        }
+        Ok(())
+    }
+}
+
+/// Draws one triangle of a list: one such function is linked for each shader that is used.
+pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P>>(
+    uniforms: &Uniforms<'a>,
+    words: &[u32],
+    triangle: &ListTriangle,
+    target: &mut Rows<'_, '_, P, D>,
+) {
+    let [a, b, c] = triangle.vertices.map(|at| vertex::<P, D, S>(words, at));
+    let (Some(a), Some(b), Some(c)) = (a, b, c) else { return };
+    let Some(setup) = Setup::sorted([a.at, b.at, c.at]) else { return };
+    let vertices = Vertices {
+        depths: [a.depth, b.depth, c.depth],
+        inverses: [a.inverse, b.inverse, c.inverse],
+        attributes: [a.attributes, b.attributes, c.attributes],
+        colour: triangle.colour,
+    };
+    let shader = S::from_uniforms(uniforms);
+    let Ok(()) = pipeline::draw::<P, S, T, D::Varying, _>(&setup, &shader, vertices, target);
+}
+
+/// A vertex of the list, as its words say.
+struct Vertex<Z, A> {
+    at: Snapped,
+    depth: Z,
+    inverse: PerVertexInverse,
+    attributes: A,
+}
+
+/// Words of a vertex: x, y, and what depth, perspective and shader need.
+pub(super) const fn stride<'a, P, D: Depth, S: PixelShader<'a, P>>() -> usize {
+    2 + D::Vertex::WORDS + S::PERSPECTIVE as usize + S::Vertex::WORDS
+}
+
+#[inline]
+fn vertex<'a, P, D: Depth, S: PixelShader<'a, P>>(
+    words: &[u32],
+    at: u16,
+) -> Option<Vertex<D::Varying, S::Vertex>> {
+    let at = usize::from(at);
+    let mut words = words.get(at..at + const { stride::<P, D, S>() })?.iter().copied();
+    let (x, y) = (words.next()?.cast_signed(), words.next()?.cast_signed());
+    Some(Vertex {
+        at: Snapped::from_bits(x, y),
+        depth: D::varying(D::Vertex::load(&mut words)?),
+        inverse: if S::PERSPECTIVE { PerVertexInverse::load(&mut words)? } else { PerVertexInverse::ONE },
+        attributes: S::Vertex::load(&mut words)?,
+    })
+}

@@ -1,0 +1,158 @@
+//! What a strip's cells hold: any RGB colour of embedded-graphics, or the bare 16 bits of RGB565.
+
+use embedded_graphics_core::pixelcolor::raw::RawU16;
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+};
+use embedded_graphics_core::prelude::RawData;
+
+/// A colour of a cell.
+///
+/// Implemented for the RGB and BGR colours of embedded-graphics, and for `u16` as RGB565, which a DMA channel can send
+/// as it is. [`Rgb565`] and `u16` are the fast ones: textures hold their bits.
+pub trait Pixel: Copy {
+    /// The greatest red, green and blue.
+    const MAX: [u8; 3];
+
+    /// From channels of 0 to [`MAX`](Self::MAX).
+    fn from_channels(channels: [u8; 3]) -> Self;
+
+    /// The channels, 0 to [`MAX`](Self::MAX).
+    fn channels(self) -> [u8; 3];
+
+    /// From the bits of a texel.
+    fn from_texel(rgb565: u16) -> Self;
+
+    /// From channels of 0 to 255, each rounded to the nearest.
+    #[inline]
+    fn from_rgb(rgb: [u8; 3]) -> Self {
+        let [r, g, b] = rgb;
+        let [max_r, max_g, max_b] = Self::MAX;
+        let nearest = |c: u8, max: u8| scaled(c, u32::from(max), 255);
+        Self::from_channels([nearest(r, max_r), nearest(g, max_g), nearest(b, max_b)])
+    }
+
+    /// A texel under light of 0 to 64, dark to full, each channel rounded to the nearest.
+    #[inline]
+    fn lit_texel(rgb565: u16, light: u32) -> Self {
+        Self::from_texel(lit(rgb565, light))
+    }
+}
+
+/// `channel * max / from`, rounded to nearest.
+#[inline]
+fn scaled(channel: u8, max: u32, from: u32) -> u8 {
+    ((u32::from(channel) * max * 2 + from) / (from * 2)) as u8
+}
+
+/// Red and blue in one product, five bits of room above each; green in another.
+#[inline(always)]
+fn lit(rgb565: u16, light: u32) -> u16 {
+    const RED_BLUE: u32 = 0xF81F;
+    const GREEN: u32 = 0x07E0;
+    let texel = u32::from(rgb565);
+    let red_blue = ((texel & RED_BLUE) * light + 0x1_0020) >> 6 & RED_BLUE;
+    let green = ((texel & GREEN) * light + 0x0400) >> 6 & GREEN;
+    (red_blue | green) as u16
+}
+
+/// The colours of embedded-graphics that differ only in their channels' order and width.
+macro_rules! colours {
+    ($($colour:ident),*) => {$(
+        impl Pixel for $colour {
+            const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
+
+            #[inline]
+            fn from_channels([r, g, b]: [u8; 3]) -> Self {
+                Self::new(r, g, b)
+            }
+
+            #[inline]
+            fn channels(self) -> [u8; 3] {
+                [self.r(), self.g(), self.b()]
+            }
+
+            #[inline]
+            fn from_texel(rgb565: u16) -> Self {
+                let [r, g, b] = Rgb565::from_texel(rgb565).channels();
+                Self::new(
+                    scaled(r, u32::from(Self::MAX_R), 31),
+                    scaled(g, u32::from(Self::MAX_G), 63),
+                    scaled(b, u32::from(Self::MAX_B), 31),
+                )
+            }
+        }
+    )*};
+}
+
+colours!(Rgb555, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
+
+impl Pixel for Rgb565 {
+    const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
+
+    #[inline(always)]
+    fn from_channels(channels: [u8; 3]) -> Self {
+        Self::from_texel(u16::from_channels(channels))
+    }
+
+    #[inline]
+    fn channels(self) -> [u8; 3] {
+        [self.r(), self.g(), self.b()]
+    }
+
+    #[inline(always)]
+    fn from_texel(rgb565: u16) -> Self {
+        Self::from(RawU16::from_u32(u32::from(rgb565)))
+    }
+}
+
+/// RGB565 in the chip's own byte order: a display that takes 16 bits at a time gets red first.
+impl Pixel for u16 {
+    const MAX: [u8; 3] = Rgb565::MAX;
+
+    #[inline(always)]
+    fn from_channels([r, g, b]: [u8; 3]) -> Self {
+        Self::from(r & 31) << 11 | Self::from(g & 63) << 5 | Self::from(b & 31)
+    }
+
+    #[inline]
+    fn channels(self) -> [u8; 3] {
+        [(self >> 11) as u8, (self >> 5 & 63) as u8, (self & 31) as u8]
+    }
+
+    #[inline(always)]
+    fn from_texel(rgb565: u16) -> Self {
+        rgb565
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_scales_each_channel_to_the_nearest() {
+        for light in 0..=64 {
+            for value in 0..64_u8 {
+                let nearest = |max: u8| ((u32::from(value.min(max)) * light + 32) / 64) as u8;
+                let texel = u16::from_channels([value.min(31), value, value.min(31)]);
+                assert_eq!(u16::lit_texel(texel, light).channels(), [nearest(31), nearest(63), nearest(31)]);
+            }
+        }
+    }
+
+    #[test]
+    fn all_colours_agree_on_a_colour() {
+        for rgb in [[0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 255, 0], [0, 0, 255], [130, 70, 200]] {
+            let expected = |max: u8| rgb.map(|c| ((f64::from(c) * f64::from(max) / 255.0).round()) as u8);
+            assert_eq!(Rgb888::from_rgb(rgb).channels(), rgb);
+            assert_eq!(Bgr666::from_rgb(rgb).channels(), expected(63));
+            assert_eq!(Rgb555::from_rgb(rgb).channels(), expected(31));
+            let [r, g, b] = Rgb565::from_rgb(rgb).channels();
+            assert_eq!([r, g, b], [expected(31)[0], expected(63)[1], expected(31)[2]]);
+            assert_eq!(u16::from_rgb(rgb), Rgb565::from_rgb(rgb).into_storage());
+        }
+    }
+
+    use embedded_graphics_core::pixelcolor::IntoStorage;
+}

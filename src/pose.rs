@@ -1,0 +1,149 @@
+//! Where a mesh stands: turned, scaled, then moved.
+
+use fixed::types::I2F30;
+
+use crate::math::format::Length;
+use crate::math::matrix::Matrix;
+use crate::math::turn::Turn;
+
+/// Where a mesh stands in the scene: turned and scaled about the scene's origin, then moved. No float is involved.
+///
+/// Turns follow one another; each is about an axis of the scene, counter-clockwise for a viewer whom the axis points at.
+///
+/// ```
+/// use topleft::{Length, Pose, Turn};
+///
+/// let pose = Pose::new()
+///     .turned_y(Turn::from_degrees(90))
+///     .scaled(Length::lit("2"))
+///     .at([Length::ZERO, Length::ONE, Length::ZERO]);
+/// // A quarter turn about y takes z to x.
+/// assert_eq!(pose.apply([Length::ZERO, Length::ZERO, Length::ONE]).map(Length::to_num::<i32>), [2, 1, 0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pose {
+    /// Rows of the rotation.
+    rotation: [[I2F30; 3]; 3],
+    scale: Length,
+    position: [Length; 3],
+}
+
+impl Pose {
+    /// As the mesh was made.
+    pub const fn new() -> Self {
+        let (i, o) = (I2F30::ONE, I2F30::ZERO);
+        Self { rotation: [[i, o, o], [o, i, o], [o, o, i]], scale: Length::ONE, position: [Length::ZERO; 3] }
+    }
+
+    /// Moves the mesh's origin to `position`.
+    #[must_use]
+    pub const fn at(mut self, position: [Length; 3]) -> Self {
+        self.position = position;
+        self
+    }
+
+    /// Scales the mesh, the same along every axis. A negative scale turns it inside out.
+    #[must_use]
+    pub const fn scaled(mut self, scale: Length) -> Self {
+        self.scale = scale;
+        self
+    }
+
+    /// Turns about the scene's x axis, from y towards z.
+    #[must_use]
+    pub fn turned_x(self, turn: Turn) -> Self {
+        self.turned(turn, |[x, y, z], mix| {
+            let (y, z) = mix(y, z);
+            [x, y, z]
+        })
+    }
+
+    /// Turns about the scene's y axis, from z towards x.
+    #[must_use]
+    pub fn turned_y(self, turn: Turn) -> Self {
+        self.turned(turn, |[x, y, z], mix| {
+            let (z, x) = mix(z, x);
+            [x, y, z]
+        })
+    }
+
+    /// Turns about the scene's z axis, from x towards y.
+    #[must_use]
+    pub fn turned_z(self, turn: Turn) -> Self {
+        self.turned(turn, |[x, y, z], mix| {
+            let (x, y) = mix(x, y);
+            [x, y, z]
+        })
+    }
+
+    /// Rotates two of the rotation's rows into each other.
+    fn turned(
+        mut self,
+        turn: Turn,
+        rows: impl FnOnce(Rows, &dyn Fn(Row, Row) -> (Row, Row)) -> Rows,
+    ) -> Self {
+        let (sin, cos) = (i64::from(turn.sin()), i64::from(turn.cos()));
+        let sum = |a: i64, b: i64| I2F30::from_bits(((a + b + (1 << 29)) >> 30) as i32);
+        let mix = |from: Row, to: Row| {
+            let [a, b] = [from, to].map(|row| row.map(|c| i64::from(c.to_bits())));
+            let [a0, a1, a2] = a;
+            let [b0, b1, b2] = b;
+            let [p, q] = [(cos, -sin), (sin, cos)]
+                .map(|(u, v)| [sum(u * a0, v * b0), sum(u * a1, v * b1), sum(u * a2, v * b2)]);
+            (p, q)
+        };
+        self.rotation = rows(self.rotation, &mix);
+        self
+    }
+
+    /// Where a point of the mesh stands in the scene, rounded to nearest.
+    pub fn apply(&self, point: [Length; 3]) -> [Length; 3] {
+        let scaled = point.map(|c| c.saturating_mul(self.scale));
+        let turned = self.rotation.map(|row| dot(row, scaled));
+        let [x, y, z] = turned;
+        let [px, py, pz] = self.position;
+        [x.saturating_add(px), y.saturating_add(py), z.saturating_add(pz)]
+    }
+
+    /// A direction of the scene as the mesh sees it, before its turns: the rotation backwards.
+    ///
+    /// `direction` has 30 fraction bits and length 1, and so has the result.
+    pub(crate) fn to_model(self, direction: [i32; 3]) -> [i32; 3] {
+        let [x, y, z] = direction.map(i64::from);
+        let [r0, r1, r2] = self.rotation.map(|row| row.map(|c| i64::from(c.to_bits())));
+        let column = |a: i64, b: i64, c: i64| ((a * x + b * y + c * z + (1 << 29)) >> 30) as i32;
+        [column(r0[0], r1[0], r2[0]), column(r0[1], r1[1], r2[1]), column(r0[2], r1[2], r2[2])]
+    }
+
+    /// The matrix from the cube of a mesh, ±1, that has `half` its edge and this `centre`, to the scene.
+    pub(crate) fn of_box(&self, centre: [Length; 3], half: Length) -> Matrix {
+        let scale = i64::from(self.scale.saturating_mul(half).to_bits());
+        let moved = self.apply(centre).map(|c| i64::from(c.to_bits()));
+        let row = |[a, b, c]: Row, t: i64| {
+            // 14 fraction bits of the rotation are dropped: 32 are left, 16 of them from the scale.
+            let scaled = |c: I2F30| ((i64::from(c.to_bits()) * scale) >> 14).clamp(-LIMIT, LIMIT);
+            [scaled(a), scaled(b), scaled(c), t << 16]
+        };
+        let [r0, r1, r2] = self.rotation;
+        let [x, y, z] = moved;
+        Matrix::normalised([row(r0, x), row(r1, y), row(r2, z), [0, 0, 0, 1 << 32]], 32)
+    }
+}
+
+/// Keeps sums of a few elements inside an `i64`.
+const LIMIT: i64 = 1 << 60;
+
+type Row = [I2F30; 3];
+type Rows = [Row; 3];
+
+fn dot([a, b, c]: Row, [x, y, z]: [Length; 3]) -> Length {
+    let product = |r: I2F30, v: Length| i128::from(r.to_bits()) * i128::from(v.to_bits());
+    let sum = (product(a, x) + product(b, y) + product(c, z) + (1 << 29)) >> 30;
+    Length::from_bits(sum.clamp(i128::from(i32::MIN), i128::from(i32::MAX)) as i32)
+}
+
+impl Default for Pose {
+    fn default() -> Self {
+        Self::new()
+    }
+}

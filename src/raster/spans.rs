@@ -1,0 +1,141 @@
+//! The span walk: two edges as integer DDAs.
+
+use core::num::NonZeroU32;
+
+use super::{Span, Traversal, Window};
+use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
+use crate::setup::Setup;
+use crate::snapped::{Snapped, first_centre};
+
+/// Walks the rows of a triangle with an exact integer DDA on either side: no test and no rounding per pixel.
+///
+/// With the top-left rule both ends of a span are the same function of an edge, the first pixel centre at or right of
+/// it, whichever side the triangle is on: so neighbours cannot disagree.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Spans;
+
+impl Traversal for Spans {
+    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+        let [top, middle, bottom] = setup.points();
+        let rows = setup.rows();
+        let mut y = rows.start.max(window.rows.start);
+        let end = rows.end.min(window.rows.end);
+        if y >= end {
+            return Ok(());
+        }
+        let turn = first_centre(middle.y.to_bits());
+        let middle_is_right = setup.area2() > 0;
+        let Some(mut long) = Edge::new(top, bottom, y) else { return Ok(()) };
+        // The long edge faces the upper short edge first and then the lower one.
+        for (from, to, stop) in [(top, middle, turn.min(end)), (middle, bottom, end)] {
+            if y >= stop {
+                continue;
+            }
+            let Some(mut short) = Edge::new(from, to, y) else { return Ok(()) };
+            while y < stop {
+                let (left, right) =
+                    if middle_is_right { (long.column, short.column) } else { (short.column, long.column) };
+                let span =
+                    Span { y, start: left.max(window.columns.start), end: right.min(window.columns.end) };
+                if span.start < span.end {
+                    draw(span)?;
+                }
+                long.step();
+                short.step();
+                y += 1;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// An edge at the centres of one row: the first column whose centre is at or right of it.
+///
+/// `column - remainder / height` is exact, `0 <= remainder < height`.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    column: i32,
+    remainder: u32,
+    /// Columns and remainder a row: `slope + slope_remainder / height`.
+    slope: i32,
+    slope_remainder: u32,
+    height: u32,
+}
+
+impl Edge {
+    /// The edge from its upper to its lower end, at `row`. Nothing where it is level: it crosses no row.
+    #[inline]
+    fn new(upper: Snapped, lower: Snapped, row: i32) -> Option<Self> {
+        let ((x, y), (lower_x, lower_y)) = (upper.bits(), lower.bits());
+        let height = NonZeroU32::new((lower_y - y).unsigned_abs())?;
+        let (slope, slope_remainder) = floor_divide(lower_x - x, height);
+        let first = first_centre(y);
+        // From the upper end down to the first row of centres: 0 to 255 steps.
+        let down = (first << SUBPIXEL_BITS) + HALF_PIXEL - y;
+        // In steps of 1/256 px, where the edge passes that row, from the centre of column 0: whole, then over height.
+        let whole = x - HALF_PIXEL + down * slope;
+        let (column, steps) = (whole >> SUBPIXEL_BITS, whole & (SUBPIXELS - 1));
+        // 0 to 2 columns further, in 1/(256 height): rounded up to whole columns.
+        let over = steps.unsigned_abs() * height.get() + down.unsigned_abs() * slope_remainder;
+        let one = height.get() << SUBPIXEL_BITS;
+        let up = u32::from(over > 0) + u32::from(over > one);
+        let mut edge = Self {
+            column: column + up as i32,
+            // All steps are multiples of 256 in that unit: what is below them never counts.
+            remainder: (up * one - over) >> SUBPIXEL_BITS,
+            slope,
+            slope_remainder,
+            height: height.get(),
+        };
+        edge.skip(row - first, height);
+        Some(edge)
+    }
+
+    /// To the next row.
+    #[inline(always)]
+    fn step(&mut self) {
+        self.column += self.slope;
+        // A borrow of one column where the remainder runs below zero.
+        let (remainder, borrow) = self.remainder.overflowing_sub(self.slope_remainder);
+        if borrow {
+            self.column += 1;
+            self.remainder = remainder.wrapping_add(self.height);
+        } else {
+            self.remainder = remainder;
+        }
+    }
+
+    /// `rows` further down at once, for a window that starts inside the triangle.
+    #[inline]
+    fn skip(&mut self, rows: i32, height: NonZeroU32) {
+        if rows <= 0 {
+            return;
+        }
+        self.column += rows * self.slope;
+        // At most 4095 rows, each at least 256 steps of the height: the product stays below 2^32.
+        let sum = rows.unsigned_abs() * self.slope_remainder;
+        if sum > self.remainder {
+            let missing = sum - self.remainder;
+            let columns = (missing - 1) / height + 1;
+            self.column += columns as i32;
+            self.remainder = columns * height.get() - missing;
+        } else {
+            self.remainder -= sum;
+        }
+    }
+}
+
+/// Quotient rounded down, and the remainder from 0 up. Steep edges, the most common, need no division.
+#[inline]
+fn floor_divide(dx: i32, height: NonZeroU32) -> (i32, u32) {
+    let size = dx.unsigned_abs();
+    let (quotient, remainder) =
+        if size < height.get() { (0, size) } else { (size / height, size - size / height * height.get()) };
+    if dx >= 0 {
+        (quotient as i32, remainder)
+    } else if remainder == 0 {
+        (-(quotient as i32), 0)
+    } else {
+        (-(quotient as i32) - 1, height.get() - remainder)
+    }
+}

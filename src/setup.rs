@@ -1,0 +1,140 @@
+//! Stage 4. Everything about a triangle that its pixels share.
+//!
+//! Takes three snapped vertices; gives a [`Setup`]. Facing, coverage and gradients are all computed from the snapped
+//! positions, so nothing is ever extrapolated. The vertices are in canonical order, by y and then x, so that the bytes
+//! drawn do not depend on which vertex a triangle starts with.
+
+use crate::gradients::Gradients;
+use crate::math::format::SUBPIXEL_BITS;
+use crate::snapped::{Snapped, first_centre};
+
+/// Which triangles are left out, by the way they face once they are snapped.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cull {
+    /// Those that show their back: clockwise as the viewer sees them.
+    #[default]
+    Back,
+    /// Those that show their front: counter-clockwise as the viewer sees them.
+    Front,
+    /// None: both sides are drawn.
+    None,
+}
+
+impl Cull {
+    /// Whether a triangle of this doubled area is left out. One without an area always is.
+    #[inline]
+    pub(crate) const fn leaves_out(self, area2: i64) -> bool {
+        match self {
+            // Screen y grows down: counter-clockwise as seen is negative.
+            Self::Back => area2 >= 0,
+            Self::Front => area2 <= 0,
+            Self::None => area2 == 0,
+        }
+    }
+}
+
+/// The doubled area, in steps of 2^-16 px^2: positive where a, b, c are clockwise as seen.
+///
+/// Exact for vertices inside the guard rectangle, and for any that are at most 2^30 steps apart.
+#[inline]
+pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
+    let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
+    let product = |p: i32, q: i32| i64::from(p) * i64::from(q);
+    product(bx.wrapping_sub(ax), cy.wrapping_sub(ay)) - product(cx.wrapping_sub(ax), by.wrapping_sub(ay))
+}
+
+/// A triangle ready for traversal: snapped vertices inside the guard rectangle, in canonical order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setup {
+    points: [Snapped; 3],
+    area2: i64,
+}
+
+impl Setup {
+    /// The triangle of three vertices in canonical order: by y, then by x. Nothing where it has no area.
+    #[inline]
+    pub(crate) fn sorted(points: [Snapped; 3]) -> Option<Self> {
+        let [a, b, c] = points;
+        let area2 = area2(a, b, c);
+        if area2 == 0 { None } else { Some(Self { points, area2 }) }
+    }
+
+    /// The triangle of three vertices in any order, and where in that order each of its own vertices stood.
+    ///
+    /// Nothing where the vertices have no area, or are further apart than the largest guard rectangle: 2^23 px^2, 8191
+    /// columns or 4095 rows.
+    ///
+    /// ```
+    /// use topleft::stages::{Setup, Snapped};
+    ///
+    /// let at = |x, y| Snapped::from_bits(x * 256, y * 256);
+    /// let (setup, order) = Setup::new([at(9, 9), at(0, 0), at(0, 9)]).unwrap();
+    /// assert_eq!(order, [1, 2, 0]);
+    /// assert_eq!(setup.rows(), 0..9);
+    /// assert!(Setup::new([at(0, 0), at(3, 3), at(9, 9)]).is_none());
+    /// ```
+    pub fn new(points: [Snapped; 3]) -> Option<(Self, [usize; 3])> {
+        let order = canonical(points);
+        let sorted = order.map(|i| points.get(i).copied().unwrap_or(Snapped::from_bits(0, 0)));
+        let extent = |ends: [i32; 3]| {
+            let [a, b, c] = ends.map(i64::from);
+            a.max(b).max(c) - a.min(b).min(c)
+        };
+        let (width, height) = (extent(points.map(|p| p.x.to_bits())), extent(points.map(|p| p.y.to_bits())));
+        let fits =
+            width <= 8191 << SUBPIXEL_BITS && height <= 4095 << SUBPIXEL_BITS && width * height <= 1 << 39;
+        if fits { Self::sorted(sorted).map(|setup| (setup, order)) } else { None }
+    }
+
+    /// The vertices, in canonical order.
+    pub const fn points(&self) -> [Snapped; 3] {
+        self.points
+    }
+
+    /// The doubled area in steps of 2^-16 px^2: positive where the middle vertex is right of the long edge.
+    pub const fn area2(&self) -> i64 {
+        self.area2
+    }
+
+    /// The rows whose pixel centres lie between the top and the bottom vertex.
+    #[inline]
+    pub fn rows(&self) -> core::ops::Range<i32> {
+        let [top, _, bottom] = self.points;
+        first_centre(top.y.to_bits())..first_centre(bottom.y.to_bits())
+    }
+
+    /// What turns values at the vertices into planes.
+    #[inline]
+    pub fn gradients(&self) -> Gradients {
+        Gradients::new(self.points, self.area2)
+    }
+}
+
+/// The order of three points by y, then x; points that are equal keep theirs.
+#[inline]
+pub(crate) fn canonical([a, b, c]: [Snapped; 3]) -> [usize; 3] {
+    let (a, b, c) = (a.order(), b.order(), c.order());
+    match (b < a, c < a, c < b) {
+        (false, false, false) => [0, 1, 2],
+        (false, false, true) => [0, 2, 1],
+        (true, false, _) => [1, 0, 2],
+        (true, true, false) => [1, 2, 0],
+        (false, true, _) => [2, 0, 1],
+        (true, true, true) => [2, 1, 0],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn canonical_order_does_not_depend_on_the_given_one() {
+        let points = [Snapped::from_bits(5, 7), Snapped::from_bits(-5, 7), Snapped::from_bits(0, -300)];
+        let expected = [points[2], points[1], points[0]];
+        for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let (setup, _) = Setup::new(order.map(|i| points[i])).unwrap();
+            assert_eq!(setup.points(), expected);
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! A colour a vertex, interpolated.
+
+use super::light::{LocalSun, Material, Sun, lit};
+use super::{PixelShader, Shader, Uniforms};
+use crate::math::format::Attribute;
+use crate::mesh::Mesh;
+use crate::pixel::Pixel;
+use crate::pose::Pose;
+use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
+
+/// A colour a vertex, interpolated over the face: lit by the vertices' normals, or the mesh's own colours as they are.
+///
+/// Colours are interpolated in steps of the display's own channels, with 16 fraction bits, and rounded to nearest.
+///
+/// ```
+/// use embedded_graphics_core::pixelcolor::Rgb888;
+/// use topleft::{Gouraud, Length, Material, Sun};
+///
+/// let sun = Sun::new([Length::ONE; 3]);
+/// let brass = Material::from(Rgb888::new(0xD0, 0xA0, 0x40));
+/// let shader = Gouraud::new(&sun, &brass);
+/// let painted = Gouraud::unlit(&Material::OfMesh);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Gouraud {
+    material: Material,
+    sun: Option<Sun>,
+}
+
+impl Gouraud {
+    /// The material under the light that falls on each vertex by its normal.
+    pub const fn new(sun: &Sun, material: &Material) -> Self {
+        Self { material: *material, sun: Some(*sun) }
+    }
+
+    /// The material as it is.
+    pub const fn unlit(material: &Material) -> Self {
+        Self { material: *material, sun: None }
+    }
+}
+
+impl<'a, P: Pixel> Shader<'a, P> for Gouraud {
+    type Pixel = GouraudPixel;
+    type Local = Option<LocalSun>;
+
+    fn pixel(&self) -> GouraudPixel {
+        GouraudPixel
+    }
+
+    fn local(&self, _: &Mesh<'_>, pose: &Pose) -> Option<LocalSun> {
+        self.sun.map(|sun| sun.local(pose))
+    }
+
+    fn vertex(&self, local: &Option<LocalSun>, mesh: &Mesh<'_>, vertex: usize) -> [u8; 3] {
+        let colour = self.material.of_vertex(mesh, vertex);
+        match local {
+            Some(sun) => lit(colour, sun.on_vertex(mesh, vertex)),
+            None => colour,
+        }
+    }
+
+    fn face(&self, _: &Option<LocalSun>, _: &Mesh<'_>, _: usize) -> [u8; 3] {
+        [0; 3]
+    }
+}
+
+/// The pixel half of [`Gouraud`].
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudPixel;
+
+impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
+    type Vertex = [u8; 3];
+    /// Red, green and blue in steps of the pixel's channels, and a half for rounding.
+    type Varying = [Attribute; 3];
+    type Triangle = ();
+    const PERSPECTIVE: bool = false;
+
+    fn uniforms(&self) -> Uniforms<'a> {
+        Uniforms::NONE
+    }
+
+    #[inline]
+    fn from_uniforms(_: &Uniforms<'a>) -> Self {
+        Self
+    }
+
+    #[inline]
+    fn triangle(
+        &self,
+        _: [u8; 3],
+        vertices: [[u8; 3]; 3],
+        _: [PerVertexInverse; 3],
+    ) -> ((), [[Attribute; 3]; 3]) {
+        ((), vertices.map(in_steps::<P>))
+    }
+
+    #[inline(never)]
+    fn shade(&self, (): &(), start: [Attribute; 3], step: [Attribute; 3], run: &mut [P]) {
+        let mut colour = start;
+        for pixel in run {
+            *pixel = P::from_channels(colour.map(|c| (c.to_bits() >> 16) as u8));
+            colour = colour.plus(step);
+        }
+    }
+}
+
+/// A colour of 0 to 255 in steps of the pixel's channels, and a half, so that dropping the fraction rounds to nearest.
+#[inline]
+fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> [Attribute; 3] {
+    let [max_r, max_g, max_b] = P::MAX;
+    let channel = |c: u8, max: u8| {
+        let per_code = (i32::from(max) << 16) / 255;
+        Attribute::from_bits(i32::from(c) * per_code + (1 << 15))
+    };
+    [channel(r, max_r), channel(g, max_g), channel(b, max_b)]
+}

@@ -1,0 +1,107 @@
+//! Stage 7. The colour of each pixel of a visible run.
+//!
+//! A shader has two halves. Its vertex half, [`Shader`], is borrowed while a mesh is drawn into a list: it makes
+//! attributes of vertices and colours of faces. Its pixel half, [`PixelShader`], is small and `Copy`: the list keeps it
+//! and calls it for each run. Only the shaders that a program uses are linked.
+
+use crate::attributes::Attributes;
+use crate::mesh::Mesh;
+use crate::pose::Pose;
+use crate::texture::Texture;
+use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
+
+mod flat;
+mod gouraud;
+mod light;
+mod perspective;
+mod textured;
+
+pub use flat::Flat;
+pub(crate) use flat::FlatPixel;
+pub use gouraud::Gouraud;
+pub(crate) use gouraud::GouraudPixel;
+pub use light::{Material, Sun};
+pub use perspective::{Affine, Correction, PerPixel};
+pub use textured::{LitTexture, Textured};
+
+/// The vertex half of a shader, borrowed while a mesh is drawn into a list.
+pub trait Shader<'a, P> {
+    /// The pixel half.
+    type Pixel: PixelShader<'a, P>;
+    /// What is computed once a mesh: the light as the mesh sees it.
+    type Local;
+
+    /// The pixel half, which the list keeps.
+    fn pixel(&self) -> Self::Pixel;
+
+    /// What all vertices and faces of a mesh in this pose share.
+    fn local(&self, mesh: &Mesh<'_>, pose: &Pose) -> Self::Local;
+
+    /// What a vertex carries.
+    fn vertex(
+        &self,
+        local: &Self::Local,
+        mesh: &Mesh<'_>,
+        vertex: usize,
+    ) -> <Self::Pixel as PixelShader<'a, P>>::Vertex;
+
+    /// The colour of a face: red, green, blue.
+    fn face(&self, local: &Self::Local, mesh: &Mesh<'_>, face: usize) -> [u8; 3];
+}
+
+/// The pixel half of a shader, kept by a list.
+pub trait PixelShader<'a, P>: Copy {
+    /// What a vertex of the list carries.
+    type Vertex: Attributes;
+    /// What changes from pixel to pixel: linear on the screen.
+    type Varying: Varying;
+    /// What all pixels of a triangle share.
+    type Triangle: Copy;
+    /// Whether a vertex carries 1/w as well.
+    const PERSPECTIVE: bool;
+
+    /// This shader as a list keeps it.
+    fn uniforms(&self) -> Uniforms<'a>;
+
+    /// The shader that was kept.
+    fn from_uniforms(uniforms: &Uniforms<'a>) -> Self;
+
+    /// What the pixels of a triangle share, and the varyings at its vertices.
+    ///
+    /// `inverses` are the vertices' 1/w; they mean something only where [`PERSPECTIVE`](Self::PERSPECTIVE) is true.
+    fn triangle(
+        &self,
+        colour: [u8; 3],
+        vertices: [Self::Vertex; 3],
+        inverses: [PerVertexInverse; 3],
+    ) -> (Self::Triangle, [Self::Varying; 3]);
+
+    /// Colours a run: `start` at its first pixel, `step` more at each after it.
+    fn shade(&self, triangle: &Self::Triangle, start: Self::Varying, step: Self::Varying, run: &mut [P]);
+
+    /// The one colour of the triangle, where it has but one.
+    fn solid(&self, triangle: &Self::Triangle) -> Option<P> {
+        let _ = triangle;
+        None
+    }
+}
+
+/// A pixel shader as a list keeps it: a texture and two words, for whatever it is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Uniforms<'a> {
+    /// The texture, or one white texel.
+    pub texture: Texture<'a>,
+    /// Anything else.
+    pub words: [u32; 2],
+}
+
+impl<'a> Uniforms<'a> {
+    /// Nothing but one white texel.
+    pub const NONE: Self = Self { texture: Texture::WHITE, words: [0; 2] };
+
+    /// A texture.
+    pub const fn texture(texture: Texture<'a>) -> Self {
+        Self { texture, words: [0; 2] }
+    }
+}

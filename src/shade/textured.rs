@@ -1,0 +1,181 @@
+//! Textures, as they are or under light.
+
+use super::light::{LocalSun, Sun};
+use super::perspective::Correction;
+use super::{PixelShader, Shader, Uniforms};
+use crate::math::format::Attribute;
+use crate::mesh::Mesh;
+use crate::pixel::Pixel;
+use crate::pose::Pose;
+use crate::texture::Texture;
+use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
+
+/// A texture, nearest texel, as it is.
+///
+/// ```
+/// use topleft::{Affine, PerPixel, Texture, Textured};
+///
+/// static TEXELS: [u16; 4] = [0xF800, 0x07E0, 0x001F, 0xFFFF];
+/// let texture = Texture::new(2, 2, &TEXELS).unwrap();
+/// let exact = Textured::new(&texture, PerPixel);
+/// let cheap = Textured::new(&texture, Affine);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Textured<'a, C> {
+    texture: Texture<'a>,
+    correction: C,
+}
+
+impl<'a, C: Correction> Textured<'a, C> {
+    /// The texture, with texels found by `correction`.
+    pub const fn new(texture: &Texture<'a>, correction: C) -> Self {
+        Self { texture: *texture, correction }
+    }
+
+    /// The same under a light that falls on each vertex by its normal.
+    pub const fn lit_by(self, sun: &Sun) -> LitTexture<'a, C> {
+        LitTexture { textured: self, sun: *sun }
+    }
+}
+
+/// A texture, nearest texel, under a light that is interpolated from vertex to vertex.
+#[derive(Clone, Copy, Debug)]
+pub struct LitTexture<'a, C> {
+    textured: Textured<'a, C>,
+    sun: Sun,
+}
+
+/// A vertex's place in the texture, in texels. A mesh without coordinates shows the first texel only.
+fn texel(texture: &Texture<'_>, mesh: &Mesh<'_>, vertex: usize) -> [Attribute; 2] {
+    let [u, v] = mesh.uvs().get(vertex).copied().unwrap_or_default();
+    let [width, height] = texture.sizes_log2();
+    // raw 2^exponent / 2^15 of the size, in 16 fraction bits: at most 2^15 texels.
+    let scaled = |raw: i16, size: u8| Attribute::from_bits(i32::from(raw) << (1 + size + mesh.uv_exponent()));
+    [scaled(u, width), scaled(v, height)]
+}
+
+impl<'a, P: Pixel, C: Correction> Shader<'a, P> for Textured<'a, C> {
+    type Pixel = Self;
+    type Local = ();
+
+    fn pixel(&self) -> Self {
+        *self
+    }
+
+    fn local(&self, _: &Mesh<'_>, _: &Pose) {}
+
+    fn vertex(&self, (): &(), mesh: &Mesh<'_>, vertex: usize) -> [Attribute; 2] {
+        texel(&self.texture, mesh, vertex)
+    }
+
+    fn face(&self, (): &(), _: &Mesh<'_>, _: usize) -> [u8; 3] {
+        [0; 3]
+    }
+}
+
+impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
+    type Vertex = [Attribute; 2];
+    type Varying = C::Varying;
+    type Triangle = C::Triangle;
+    const PERSPECTIVE: bool = C::PERSPECTIVE;
+
+    fn uniforms(&self) -> Uniforms<'a> {
+        Uniforms { texture: self.texture, words: self.correction.words() }
+    }
+
+    #[inline]
+    fn from_uniforms(uniforms: &Uniforms<'a>) -> Self {
+        Self { texture: uniforms.texture, correction: C::from_words(uniforms.words) }
+    }
+
+    #[inline]
+    fn triangle(
+        &self,
+        _: [u8; 3],
+        vertices: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+    ) -> (C::Triangle, [C::Varying; 3]) {
+        self.correction.triangle(vertices, inverses)
+    }
+
+    #[inline(never)]
+    fn shade(&self, triangle: &C::Triangle, start: C::Varying, step: C::Varying, run: &mut [P]) {
+        self.correction.walk(triangle, start, step, run.iter_mut(), |pixel, u, v| {
+            *pixel = P::from_texel(self.texture.texel(u, v));
+        });
+    }
+}
+
+impl<'a, P: Pixel, C: Correction> Shader<'a, P> for LitTexture<'a, C> {
+    type Pixel = LitTexturePixel<'a, C>;
+    type Local = LocalSun;
+
+    fn pixel(&self) -> LitTexturePixel<'a, C> {
+        LitTexturePixel(self.textured)
+    }
+
+    fn local(&self, _: &Mesh<'_>, pose: &Pose) -> LocalSun {
+        self.sun.local(pose)
+    }
+
+    fn vertex(&self, sun: &LocalSun, mesh: &Mesh<'_>, vertex: usize) -> ([Attribute; 2], Attribute) {
+        // 255 in 8 fraction bits is full light, and 64 steps are: 64 * 65536 / (255 * 256) = 64.25.
+        let steps = sun.on_vertex(mesh, vertex) * 257 / 4 + (1 << 15);
+        (texel(&self.textured.texture, mesh, vertex), Attribute::from_bits(steps.cast_signed()))
+    }
+
+    fn face(&self, _: &LocalSun, _: &Mesh<'_>, _: usize) -> [u8; 3] {
+        [0; 3]
+    }
+}
+
+/// The pixel half of [`LitTexture`].
+#[derive(Clone, Copy, Debug)]
+pub struct LitTexturePixel<'a, C>(Textured<'a, C>);
+
+impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> {
+    /// The texel, and light in 64 steps with a half for rounding.
+    type Vertex = ([Attribute; 2], Attribute);
+    type Varying = (C::Varying, Attribute);
+    type Triangle = C::Triangle;
+    const PERSPECTIVE: bool = C::PERSPECTIVE;
+
+    fn uniforms(&self) -> Uniforms<'a> {
+        PixelShader::<P>::uniforms(&self.0)
+    }
+
+    #[inline]
+    fn from_uniforms(uniforms: &Uniforms<'a>) -> Self {
+        Self(<Textured<'a, C> as PixelShader<'a, P>>::from_uniforms(uniforms))
+    }
+
+    #[inline]
+    fn triangle(
+        &self,
+        _: [u8; 3],
+        vertices: [([Attribute; 2], Attribute); 3],
+        inverses: [PerVertexInverse; 3],
+    ) -> (C::Triangle, [(C::Varying, Attribute); 3]) {
+        let (triangle, texels) = self.0.correction.triangle(vertices.map(|vertex| vertex.0), inverses);
+        let ([a, b, c], [p, q, r]) = (texels, vertices.map(|vertex| vertex.1));
+        (triangle, [(a, p), (b, q), (c, r)])
+    }
+
+    #[inline(never)]
+    fn shade(
+        &self,
+        triangle: &C::Triangle,
+        start: (C::Varying, Attribute),
+        step: (C::Varying, Attribute),
+        run: &mut [P],
+    ) {
+        let mut light = start.1;
+        self.0.correction.walk(triangle, start.0, step.0, run.iter_mut(), |pixel, u, v| {
+            // Interpolation may leave the range by less than the half that rounds.
+            let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
+            *pixel = P::lit_texel(self.0.texture.texel(u, v), steps);
+            light = light.plus(step.1);
+        });
+    }
+}

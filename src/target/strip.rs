@@ -1,0 +1,179 @@
+//! Some rows of a frame in memory: colours, and depths if there are any. A whole frame is one tall strip.
+
+use core::convert::Infallible;
+use core::ops::Range;
+
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+use crate::depth::{Depth, Depth16, NoDepth};
+use crate::pipeline::{Shading, Surface};
+use crate::pixel::Pixel;
+use crate::raster::{Span, Window};
+use crate::shade::PixelShader;
+use crate::varying::Varying;
+
+/// Some rows of a frame: borrowed colours, and depths for a strip that has them.
+///
+/// ```
+/// use embedded_graphics_core::pixelcolor::Rgb565;
+/// use topleft::{Strip, StripError};
+///
+/// let mut colours = [Rgb565::new(0, 0, 0); 240 * 16];
+/// let mut depths = [0; 240 * 16];
+/// let strip = Strip::new(240, &mut colours).unwrap().with_depth(&mut depths).unwrap();
+/// assert_eq!(strip.height(), 16);
+///
+/// let mut few = [0_u16; 100];
+/// assert_eq!(Strip::new(240, &mut few).unwrap_err(), StripError::Short { given: 100, needed: 240 });
+/// ```
+#[derive(Debug)]
+pub struct Strip<'s, P, D: Depth> {
+    colours: &'s mut [P],
+    depths: D::Plane<'s>,
+    width: u16,
+    height: u16,
+    /// The row of the frame that the strip's first row shows.
+    top: i32,
+    background: P,
+}
+
+/// Why slices do not make a [`Strip`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StripError {
+    /// Not one cell for each pixel: of one row, for colours; of as many rows as there are colours for, for depths.
+    Short {
+        /// Cells given.
+        given: usize,
+        /// Cells needed.
+        needed: usize,
+    },
+}
+
+impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
+    /// A strip of as many whole rows of `width` pixels as there are colours for, without depth, with a black
+    /// background. It starts at the frame's first row. The colours keep what they show until it is cleared.
+    ///
+    /// # Errors
+    /// Fewer colours than one row. (A width of zero makes an empty strip.)
+    pub fn new(width: u16, colours: &'s mut [P]) -> Result<Self, StripError> {
+        let row = usize::from(width);
+        let height = colours.len().checked_div(row).unwrap_or_default().min(usize::from(u16::MAX)) as u16;
+        if height == 0 && width != 0 {
+            return Err(StripError::Short { given: colours.len(), needed: row });
+        }
+        Ok(Self { colours, depths: (), width, height, top: 0, background: P::from_channels([0; 3]) })
+    }
+
+    /// The same strip with a depth for each pixel.
+    ///
+    /// # Errors
+    /// Fewer depths than pixels.
+    pub fn with_depth(self, depths: &'s mut [u16]) -> Result<Strip<'s, P, Depth16>, StripError> {
+        let Self { colours, width, height, top, background, .. } = self;
+        let needed = usize::from(width) * usize::from(height);
+        if depths.len() < needed {
+            return Err(StripError::Short { given: depths.len(), needed });
+        }
+        Ok(Strip { colours, depths, width, height, top, background })
+    }
+}
+
+impl<P: Copy, D: Depth> Strip<'_, P, D> {
+    /// Sets the colour that the strip is cleared to.
+    #[must_use]
+    pub fn with_background(mut self, background: P) -> Self {
+        self.background = background;
+        self
+    }
+
+    /// Pixels in a row.
+    pub const fn width(&self) -> u16 {
+        self.width
+    }
+
+    /// Rows.
+    pub const fn height(&self) -> u16 {
+        self.height
+    }
+
+    /// The colours, row by row from the top.
+    pub fn colours(&self) -> &[P] {
+        self.colours
+    }
+
+    /// The background everywhere, infinitely far away.
+    pub fn clear(&mut self) {
+        self.colours.fill(self.background);
+        D::clear(&mut self.depths);
+    }
+
+    /// Moves the strip: its first row shows row `top` of the frame from now on.
+    pub(crate) const fn set_top(&mut self, top: i32) {
+        self.top = top;
+    }
+
+    /// The strip's part of some rows of the frame.
+    pub(crate) fn rows(&self, rows: Range<i32>) -> Range<i32> {
+        rows.start.max(self.top)..rows.end.min(self.top.saturating_add(i32::from(self.height)))
+    }
+}
+
+/// A strip while some of its rows are drawn to.
+pub(crate) struct Rows<'r, 's, P, D: Depth> {
+    pub(crate) strip: &'r mut Strip<'s, P, D>,
+    pub(crate) window: Window,
+}
+
+impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, '_, P, D> {
+    type Error = Infallible;
+
+    #[inline]
+    fn window(&self) -> Window {
+        self.window.clone()
+    }
+
+    #[inline]
+    fn span<'a, S: PixelShader<'a, P>>(
+        &mut self,
+        span: Span,
+        depth: (D::Varying, D::Varying),
+        shading: Shading<'_, S, S::Triangle, S::Varying>,
+    ) -> Result<(), Infallible> {
+        let Strip { colours, depths, width, top, .. } = &mut *self.strip;
+        // The window lies inside the strip: rows and columns are at least zero here.
+        let row = (span.y - *top) as usize * usize::from(*width);
+        let first = row + span.start as usize;
+        let length = (span.end - span.start) as usize;
+        D::runs(depths, first..first + length, depth.0, depth.1, |run| {
+            let start = shading.start.plus(shading.step.times((run.start - first) as i32));
+            if let Some(pixels) = colours.get_mut(run) {
+                shading.shader.shade(shading.triangle, start, shading.step, pixels);
+            }
+        });
+        Ok(())
+    }
+}
+
+impl<P: Copy, D: Depth> Strip<'_, P, D> {
+    /// Sends the first `columns` and `rows` of the strip to a target, to row `top` of a frame at `origin`: one
+    /// `fill_contiguous`.
+    pub(crate) fn send<T>(
+        &self,
+        origin: Point,
+        top: i32,
+        [columns, rows]: [u32; 2],
+        target: &mut T,
+    ) -> Result<(), T::Error>
+    where
+        T: DrawTarget,
+        T::Color: From<P>,
+    {
+        let area = Rectangle::new(origin + Point::new(0, top), Size::new(columns, rows));
+        let row = usize::from(self.width).max(1);
+        let colours = self.colours.chunks(row).take(rows as usize);
+        let colours = colours.flat_map(|row| row.iter().take(columns as usize));
+        target.fill_contiguous(&area, colours.map(|&colour| T::Color::from(colour)))
+    }
+}

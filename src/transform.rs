@@ -1,0 +1,236 @@
+//! Stage 2. From a mesh's `i16` positions to clip space, and from there to the screen.
+//!
+//! Takes a [`Mesh`](crate::Mesh), a [`Pose`] and a [`Camera`]; gives a [`Position`] a vertex.
+//! A matrix element has 31 bits and a position 16, and their product is taken as two 32-bit ones: no 64-bit product,
+//! no float. A clip coordinate is off by at most 3 steps (one truncation a product) plus the matrix's own rounding
+//! (2^-30 of its largest element), where the largest that a vertex of the mesh can have is between 2^29 and 2^30.
+
+use crate::attributes::Words;
+use crate::camera::Camera;
+use crate::math::format::{Clip, SUBPIXEL_BITS};
+use crate::math::recip::{self, Reciprocal};
+use crate::mesh::Mesh;
+use crate::pose::Pose;
+use crate::snapped::Snapped;
+use crate::viewport::{TooLarge, Viewport};
+
+/// A homogeneous position. x and y are in [`Projection::reach`] pixels from the centre of the viewport.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Position {
+    pub(crate) x: Clip,
+    pub(crate) y: Clip,
+    pub(crate) z: Clip,
+    pub(crate) w: Clip,
+}
+
+/// The matrix of one mesh in one frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Transform {
+    rows: [[i32; 4]; 4],
+    pub(crate) projection: Projection,
+    /// One over the w of all vertices, where there is no perspective.
+    pub(crate) level_inverse: Reciprocal,
+}
+
+impl Transform {
+    /// # Errors
+    /// The camera's target is too large.
+    pub(crate) fn new<C: Camera>(camera: &C, mesh: &Mesh<'_>, pose: &Pose) -> Result<Self, TooLarge> {
+        let viewport = camera.viewport()?;
+        let projection = Projection::centred(viewport);
+        let whole = camera.matrix().times(&pose.of_box(mesh.centre(), mesh.half()));
+        // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
+        let mut rows = [0, 1, 2, 3].map(|row| whole.row(row).map(i64::from));
+        let [x, y, ..] = &mut rows;
+        let reach = projection.reach_log2 + 1;
+        for element in x {
+            *element = (*element * i64::from(viewport.width())) >> reach;
+        }
+        for element in y {
+            *element = (-*element * i64::from(viewport.height())) >> reach;
+        }
+        // The largest coordinate in the mesh's cube decides the power of two: 30 bits of it are kept.
+        let largest = rows
+            .iter()
+            .map(|row| row.iter().map(|e| e.unsigned_abs()).sum::<u64>())
+            .max()
+            .unwrap_or_default();
+        let shift = largest.leading_zeros() as i32 - 34;
+        let moved = |e: i64| if shift >= 0 { e << shift } else { e >> -shift };
+        // A position counts 2^-16 of the cube instead of 2^-15, which the high half of a product gives.
+        let rows = rows
+            .map(|[a, b, c, t]| [moved(a) << 1, moved(b) << 1, moved(c) << 1, moved(t)].map(|e| e as i32));
+        let [_, _, _, [.., w]] = rows;
+        Ok(Self { rows, projection, level_inverse: Projection::inverse(w) })
+    }
+
+    /// A vertex of the mesh in clip space.
+    #[inline]
+    pub(crate) fn position(&self, vertex: [i16; 3]) -> Position {
+        let [px, py, pz] = vertex.map(i32::from);
+        let [x, y, z, w] = &self.rows;
+        let row = |[a, b, c, t]: &[i32; 4]| {
+            high_product(*a, px)
+                .wrapping_add(high_product(*b, py))
+                .wrapping_add(high_product(*c, pz))
+                .wrapping_add(*t)
+        };
+        Position { x: row(x), y: row(y), z: row(z), w: row(w) }
+    }
+
+    /// Whether a box of positions lies outside one plane of the view as a whole.
+    pub(crate) fn misses(&self, [low, high]: [[i16; 3]; 2]) -> bool {
+        let [x, y, z, w] = self.rows.map(|row| row.map(i64::from));
+        let (halves_x, halves_y) = self.projection.view_halves();
+        let reach = self.projection.reach_log2 + 1;
+        // Each plane as a sum `a x + b w` that is negative outside, in the best corner of the box.
+        let outside = |row: [i64; 4], by: i64, size: i64| {
+            let mut best = 0;
+            for (axis, (&r, &w)) in row.iter().zip(&w).enumerate() {
+                let slope = r * by + w * size;
+                best += match (low.get(axis), high.get(axis)) {
+                    (Some(&low), Some(&high)) => {
+                        (slope >> 16) * i64::from(if slope < 0 { low } else { high })
+                    }
+                    _ => slope,
+                };
+            }
+            // Truncations of the three products and of the coordinates themselves.
+            best < -(4 * (by.abs() + size) + (3 << 16))
+        };
+        outside(z, 1, 0)
+            || outside(z, -1, 1)
+            || outside(x, 1 << reach, halves_x)
+            || outside(x, -(1 << reach), halves_x)
+            || outside(y, 1 << reach, halves_y)
+            || outside(y, -(1 << reach), halves_y)
+    }
+}
+
+/// `factor * position / 2^16`, rounded down, from 32-bit products.
+#[inline(always)]
+fn high_product(factor: i32, position: i32) -> i32 {
+    let low = (factor & 0xFFFF) * position;
+    (factor >> 16).wrapping_mul(position).wrapping_add(low >> 16)
+}
+
+/// From clip space to the screen: `centre + x / w * reach`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Projection {
+    pub(crate) viewport: Viewport,
+    /// The viewport's centre, in steps of 1/256 px.
+    centre: [Clip; 2],
+    /// x = w is this power of two of pixels from the centre.
+    pub(crate) reach_log2: u32,
+}
+
+/// 1/w of a vertex as a small float: 27 bits, shifted right by the last 5. All vertices of a mesh share its unit.
+///
+/// Its step is 2^-26 of itself, as if the vertex had been moved by that part of its distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PerVertexInverse(u32);
+
+impl PerVertexInverse {
+    /// Of a mesh without perspective, where nothing is stored.
+    pub const ONE: Self = Self(1 << 31);
+
+    const SHIFT: u32 = 31;
+
+    #[inline]
+    pub(crate) fn new(inverse: Reciprocal) -> Self {
+        // Leading zeros are 1 to 31 as w is positive: the greater, the nearer.
+        Self(inverse.mantissa & !Self::SHIFT | (Self::SHIFT - inverse.shift.min(Self::SHIFT)))
+    }
+
+    /// Three of them in one power of two, at which the largest lies in [2^30, 2^31).
+    #[inline]
+    pub fn aligned(three: [Self; 3]) -> [i32; 3] {
+        let least = three.iter().fold(Self::SHIFT, |least, inverse| least.min(inverse.0 & Self::SHIFT));
+        three.map(|Self(word)| {
+            let mantissa = (word & !Self::SHIFT) >> ((word & Self::SHIFT) - least);
+            // A mantissa of 2^31 itself is one step too large.
+            mantissa.min(i32::MAX.unsigned_abs()).cast_signed()
+        })
+    }
+}
+
+impl Words for PerVertexInverse {
+    const WORDS: usize = 1;
+
+    fn store(self, put: &mut impl FnMut(u32)) {
+        put(self.0);
+    }
+
+    #[inline]
+    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+        words.next().map(Self)
+    }
+}
+
+impl Projection {
+    /// For cameras: the centre of the viewport is (0, 0), and the reach is at least half its longer side.
+    pub(crate) fn centred(viewport: Viewport) -> Self {
+        let centre = [viewport.width(), viewport.height()].map(|length| length << (SUBPIXEL_BITS - 1));
+        let longest = viewport.width().max(viewport.height()).max(2).unsigned_abs();
+        Self { viewport, centre, reach_log2: longest.next_power_of_two().ilog2() - 1 }
+    }
+
+    /// For flat drawings: x and y are pixels, w is one.
+    pub(crate) fn of_pixels(viewport: Viewport) -> Self {
+        Self { viewport, centre: [0, 0], reach_log2: 0 }
+    }
+
+    /// Twice the distance from the centre to the viewport's edges, in pixels.
+    fn view_halves(&self) -> (i64, i64) {
+        (i64::from(self.viewport.width()), i64::from(self.viewport.height()))
+    }
+
+    /// Distances to the four sides of the guard rectangle, left, right, top and bottom, in 1/256 of the reach:
+    /// negative outside. Linear in the position, so that clipping can take a proportion of them.
+    pub(crate) fn guard_distances(&self, at: &Position) -> [i64; 4] {
+        let (left, right) = self.viewport.guard(self.viewport.width());
+        let (top, bottom) = self.viewport.guard(self.viewport.height());
+        let [cx, cy] = self.centre;
+        let scale = SUBPIXEL_BITS + self.reach_log2;
+        let (x, y, w) = (i64::from(at.x) << scale, i64::from(at.y) << scale, i64::from(at.w));
+        [
+            x - w * i64::from(left - cx),
+            w * i64::from(right - cx) - x,
+            y - w * i64::from(top - cy),
+            w * i64::from(bottom - cy) - y,
+        ]
+    }
+
+    /// One over w, for [`project`](Self::project).
+    #[inline]
+    pub(crate) fn inverse(w: Clip) -> Reciprocal {
+        recip::vertex(w.max(1).unsigned_abs())
+    }
+
+    /// `1 - z / w` in 32 fraction bits, rounded down, for a position between the near and the far plane.
+    #[inline]
+    pub(crate) fn nearness(at: &Position, inverse: Reciprocal) -> u32 {
+        let w_minus_z = at.w.wrapping_sub(at.z).max(0).unsigned_abs();
+        // 1 / w = mantissa 2^(shift - 62): w has as many leading zeros as `shift`, so nothing is lost on the left.
+        let product = (u64::from(w_minus_z) * u64::from(inverse.mantissa)) << inverse.shift;
+        (product >> 30).min(u64::from(u32::MAX)) as u32
+    }
+
+    /// A position that lies inside the guard rectangle, snapped to the screen: rounded once, to the nearest 1/256 px.
+    #[inline]
+    pub(crate) fn project(&self, at: &Position, inverse: Reciprocal) -> Snapped {
+        let [cx, cy] = self.centre;
+        // x / w = x * mantissa * 2^(shift - 62), in steps of 2^-8 of a pixel, times the reach.
+        let down = 62 - SUBPIXEL_BITS - self.reach_log2 - inverse.shift;
+        let snap = |c: Clip| {
+            let product = i64::from(c) * i64::from(inverse.mantissa);
+            ((product + (1 << (down - 1))) >> down) as i32
+        };
+        let (left, right) = self.viewport.guard(self.viewport.width());
+        let (top, bottom) = self.viewport.guard(self.viewport.height());
+        // A vertex that was clipped to the guard rectangle can round to just outside of it.
+        let x = (cx + snap(at.x)).max(left).min(right);
+        let y = (cy + snap(at.y)).max(top).min(bottom);
+        Snapped::from_bits(x, y)
+    }
+}

@@ -1,0 +1,172 @@
+//! Single triangles, drawn straight to a display: no camera, no list, no buffer, no depth.
+
+use embedded_graphics_core::Drawable;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics_core::primitives::Rectangle;
+
+use crate::clip::{ClipVertex, Outcode, clip};
+use crate::math::format::{Attribute, SUBPIXELS};
+use crate::pipeline::{self, Vertices};
+use crate::pixel::Pixel;
+use crate::point::Point;
+use crate::raster::{Spans, Window};
+use crate::setup::{Setup, canonical};
+use crate::shade::{Affine, FlatPixel, GouraudPixel, PixelShader, Textured};
+use crate::snapped::Snapped;
+use crate::target::Display;
+use crate::texture::Texture;
+use crate::transform::{PerVertexInverse, Position, Projection};
+use crate::viewport::Viewport;
+
+/// A triangle of pixels: flat, shaded from corner to corner, or textured. Either way round is drawn.
+///
+/// It is an embedded-graphics [`Drawable`]: each row is one `fill_contiguous`, or one `fill_solid` where it is flat, and
+/// what lies outside of the target is never sent. Triangles that share corners share no pixel and leave no gap. The
+/// points count from the top left of the target's bounding box; a target of more than 2^23 pixels, 8190 columns or 4094
+/// rows is drawn to as far as that.
+///
+/// ```
+/// use embedded_graphics::mock_display::MockDisplay;
+/// use embedded_graphics::pixelcolor::Rgb888;
+/// use embedded_graphics::prelude::*;
+/// use topleft::{ShadedTriangle, point};
+///
+/// let mut display = MockDisplay::<Rgb888>::new();
+/// let [a, b, c, d] = [point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(0.0, 4.0)];
+/// ShadedTriangle::flat([a, b, d], Rgb888::RED).draw(&mut display)?;
+/// ShadedTriangle::flat([b, c, d], Rgb888::BLUE).draw(&mut display)?; // no pixel twice: the mock would panic
+/// display.assert_pattern(&[
+///     "RRRB",
+///     "RRBB",
+///     "RBBB",
+///     "BBBB",
+/// ]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ShadedTriangle<'a, C> {
+    points: [Point; 3],
+    shade: Shade<'a, C>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Shade<'a, C> {
+    Flat(C),
+    Gouraud([C; 3]),
+    Textured([[Attribute; 2]; 3], Texture<'a>),
+}
+
+impl<'a, C: Pixel> ShadedTriangle<'a, C> {
+    /// A colour at each corner, interpolated between them.
+    pub const fn new(points: [Point; 3], colours: [C; 3]) -> Self {
+        Self { points, shade: Shade::Gouraud(colours) }
+    }
+
+    /// One colour.
+    pub const fn flat(points: [Point; 3], colour: C) -> Self {
+        Self { points, shade: Shade::Flat(colour) }
+    }
+
+    /// A texture, with the texels that stand at the corners: two of these turn, scale and shear an image.
+    pub const fn textured(points: [Point; 3], texels: [[Attribute; 2]; 3], texture: &Texture<'a>) -> Self {
+        Self { points, shade: Shade::Textured(texels, *texture) }
+    }
+}
+
+impl<C: Pixel + RgbColor> Drawable for ShadedTriangle<'_, C>
+where
+    Rgb888: From<C>,
+{
+    type Color = C;
+    type Output = ();
+
+    fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
+        let [Some(a), Some(b), Some(c)] = self.points.map(|point| point.snapped()) else { return Ok(()) };
+        let points = [a, b, c];
+        match self.shade {
+            Shade::Flat(colour) => {
+                let colour = Rgb888::from(colour);
+                draw::<C, _, _>(&FlatPixel, points, [(); 3], [colour.r(), colour.g(), colour.b()], target)
+            }
+            Shade::Gouraud(colours) => {
+                let colours = colours.map(|colour| {
+                    let colour = Rgb888::from(colour);
+                    [colour.r(), colour.g(), colour.b()]
+                });
+                draw::<C, _, _>(&GouraudPixel, points, colours, [0; 3], target)
+            }
+            Shade::Textured(texels, texture) => {
+                draw::<C, _, _>(&Textured::new(&texture, Affine), points, texels, [0; 3], target)
+            }
+        }
+    }
+}
+
+/// The largest viewport that a bounding box starts with.
+fn viewport(area: &Rectangle) -> Viewport {
+    let mut size = area.size;
+    loop {
+        match Viewport::new(size) {
+            Ok(viewport) => return viewport,
+            // Few rows are left after a dozen rounds: the loop ends.
+            Err(_) if size.width > 8190 => size.width = 8190,
+            Err(_) => size.height /= 2,
+        }
+    }
+}
+
+/// Clips, fans and draws a triangle as clip vertices with a w of one.
+fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>>(
+    shader: &S,
+    points: [Snapped; 3],
+    attributes: [S::Vertex; 3],
+    colour: [u8; 3],
+    target: &mut D,
+) -> Result<(), D::Error> {
+    let area = target.bounding_box();
+    let projection = Projection::of_pixels(viewport(&area));
+    let ([a, b, c], [p, q, r]) = (points.map(position), attributes);
+    let corners = [(a, p), (b, q), (c, r)].map(|(position, attributes)| ClipVertex { position, attributes });
+    let codes = [a, b, c].map(|at| Outcode::new(&at, &projection).0);
+    let [d, e, f] = codes;
+    if d & e & f != 0 {
+        return Ok(());
+    }
+    let polygon = clip(corners, Outcode(d | e | f), &projection);
+    let snap =
+        |vertex: &ClipVertex<S::Vertex>| projection.project(&vertex.position, Projection::inverse(ONE));
+    let least = polygon.iter().enumerate().min_by_key(|(_, v)| snap(v).order()).map_or(0, |(place, _)| place);
+    let mut polygon = polygon;
+    polygon.rotate_left(least);
+    let mut display = Display {
+        origin: area.top_left,
+        window: Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() },
+        target,
+    };
+    let mut fan = polygon.iter();
+    let (Some(first), Some(mut middle)) = (fan.next(), fan.next()) else { return Ok(()) };
+    for last in fan {
+        let vertices = [first, middle, last];
+        let order = canonical(vertices.map(snap)).map(|i| vertices.get(i).copied().unwrap_or(first));
+        if let Some(setup) = Setup::sorted(order.map(snap)) {
+            let vertices = Vertices {
+                depths: [(); 3],
+                inverses: [PerVertexInverse::ONE; 3],
+                attributes: order.map(|vertex| vertex.attributes),
+                colour,
+            };
+            pipeline::draw::<C, S, Spans, (), _>(&setup, shader, vertices, &mut display)?;
+        }
+        middle = last;
+    }
+    Ok(())
+}
+
+/// The w of flat drawings.
+const ONE: i32 = SUBPIXELS;
+
+fn position(at: Snapped) -> Position {
+    let (x, y) = at.bits();
+    Position { x, y, z: 0, w: ONE }
+}

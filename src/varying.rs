@@ -1,0 +1,115 @@
+//! What changes over a triangle, from set-up to shading.
+//!
+//! [`Varying`] is what set-up makes of three vertices: plane equations, stepped over the screen by wrapping additions.
+//! It is implemented for `()`, scalars, arrays and pairs, so that flat, Gouraud and textured triangles are one loop.
+
+use crate::gradients::{Gradients, Plane};
+use crate::math::format::{Attribute, DepthCode, Inverse};
+
+/// A value that is linear on the screen, as the difference from pixel to pixel or as the value at one.
+///
+/// All arithmetic wraps: sums of rounded gradients are right modulo 2^32, and at a pixel of the triangle the true value
+/// fits, so it is right there, however steep the plane is.
+pub trait Varying: Copy {
+    /// The plane through three values, one a vertex.
+    fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self>;
+
+    /// The sum, wrapping.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+
+    /// `steps` times this, wrapping.
+    #[must_use]
+    fn times(self, steps: i32) -> Self;
+}
+
+impl<V: Varying> Plane<V> {
+    /// The value `columns` to the right of the anchor and `rows` below it.
+    #[inline]
+    pub fn at(&self, columns: i32, rows: i32) -> V {
+        self.start.plus(self.dx.times(columns)).plus(self.dy.times(rows))
+    }
+}
+
+impl Varying for () {
+    #[inline]
+    fn plane(_: &Gradients, _: [Self; 3]) -> Plane<Self> {
+        Plane { start: (), dx: (), dy: () }
+    }
+
+    #[inline]
+    fn plus(self, (): Self) -> Self {}
+
+    #[inline]
+    fn times(self, _: i32) -> Self {}
+}
+
+/// Scalars of 32 bits, signed or not, differ only in how their difference is taken.
+macro_rules! scalar {
+    ($($format:ty),*) => {$(
+        impl Varying for $format {
+            #[inline]
+            fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self> {
+                let Plane { start, dx, dy } = gradients.plane(at_vertices.map(|value| i64::from(value.to_bits())));
+                Plane { start: Self::from_bits(start as _), dx: Self::from_bits(dx as _), dy: Self::from_bits(dy as _) }
+            }
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits().wrapping_add(other.to_bits()))
+            }
+
+            #[inline(always)]
+            fn times(self, steps: i32) -> Self {
+                Self::from_bits(self.to_bits().wrapping_mul(steps as _))
+            }
+        }
+    )*};
+}
+
+scalar!(Attribute, DepthCode, Inverse);
+
+impl<V: Varying, const N: usize> Varying for [V; N] {
+    #[inline]
+    fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
+        let mut plane = Plane { start: a, dx: b, dy: c };
+        // The three vertices' values are replaced one by one with what their plane is made of.
+        for ((start, dx), dy) in plane.start.iter_mut().zip(&mut plane.dx).zip(&mut plane.dy) {
+            let scalar = V::plane(gradients, [*start, *dx, *dy]);
+            (*start, *dx, *dy) = (scalar.start, scalar.dx, scalar.dy);
+        }
+        plane
+    }
+
+    #[inline(always)]
+    fn plus(mut self, other: Self) -> Self {
+        for (a, b) in self.iter_mut().zip(other) {
+            *a = a.plus(b);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn times(self, steps: i32) -> Self {
+        self.map(|a| a.times(steps))
+    }
+}
+
+impl<V: Varying, W: Varying> Varying for (V, W) {
+    #[inline]
+    fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self> {
+        let first = V::plane(gradients, at_vertices.map(|pair| pair.0));
+        let second = W::plane(gradients, at_vertices.map(|pair| pair.1));
+        Plane { start: (first.start, second.start), dx: (first.dx, second.dx), dy: (first.dy, second.dy) }
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        (self.0.plus(other.0), self.1.plus(other.1))
+    }
+
+    #[inline(always)]
+    fn times(self, steps: i32) -> Self {
+        (self.0.times(steps), self.1.times(steps))
+    }
+}
