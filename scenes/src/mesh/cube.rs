@@ -8,7 +8,7 @@ use topleft::{Length, Mesh, MeshError};
 pub const CUBE: Mesh<'static> = {
     let mesh = checked(Mesh::new(&POSITIONS, &FACES));
     let centre = [Length::from_bits(0), Length::from_bits(0), Length::from_bits(0)];
-    let mesh = mesh.with_box(centre, Length::from_bits(65539));
+    let mesh = mesh.with_box(centre, Length::from_bits(65538));
     let mesh = checked(mesh.with_normals(&NORMALS));
     let mesh = checked(mesh.with_face_normals(&FACE_NORMALS));
     let mesh = checked(mesh.with_uvs(&UVS, 1));

@@ -13,6 +13,7 @@ mod make;
 mod model;
 mod normals;
 mod output;
+mod polygon;
 mod quantise;
 mod read_image;
 mod read_obj;

@@ -129,7 +129,8 @@ impl Output {
     ) -> Result<(), Error> {
         let name = self.name.clone().unwrap_or_else(|| name_of(file));
         let file_name = file.file_name().unwrap_or_default().to_string_lossy();
-        let doc = format!("`{name}`, from `{}`.", file_name.replace(|c: char| c.is_control() || c == '`', "_"));
+        let doc =
+            format!("`{name}`, from `{}`.", file_name.replace(|c: char| c.is_control() || c == '`', "_"));
         let rust = self.rust.iter().map(|path| (path.clone(), to_rust(&name, &doc).into_bytes()));
         let blob = self.blob.iter().map(|path| (path.clone(), to_blob()));
         write_all(&rust.chain(blob).collect::<Vec<_>>())

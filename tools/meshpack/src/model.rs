@@ -96,7 +96,12 @@ impl Corner {
     fn key(&self) -> Key {
         // Adding 0 makes -0 into 0.
         let bits = |value: f64| (value + 0.0).to_bits();
-        (self.position.map(bits), self.normal.map(|n| n.map(bits)), self.uv.map(|uv| uv.map(bits)), self.colour)
+        (
+            self.position.map(bits),
+            self.normal.map(|n| n.map(bits)),
+            self.uv.map(|uv| uv.map(bits)),
+            self.colour,
+        )
     }
 }
 

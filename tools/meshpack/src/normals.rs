@@ -24,14 +24,20 @@ pub(crate) fn of_vertices(
     }
     let smooth = |position: &[f64; 3]| sums.get(&position.map(point)).and_then(|&sum| unit(sum));
     let any = |position| smooth(position).unwrap_or([0.0, 0.0, 1.0]);
-    positions.iter().zip(given).map(|(position, normal)| normal.and_then(unit).unwrap_or_else(|| any(position))).collect()
+    positions
+        .iter()
+        .zip(given)
+        .map(|(position, normal)| normal.and_then(unit).unwrap_or_else(|| any(position)))
+        .collect()
 }
 
 fn add_face(sums: &mut HashMap<[u64; 3], [f64; 3]>, corners: [[f64; 3]; 3]) {
     let Some(normal) = unit(of_face(corners)) else { return };
     for (index, corner) in corners.iter().enumerate() {
         let [next, last] = [corners[(index + 1) % 3], corners[(index + 2) % 3]];
-        let (Some(a), Some(b)) = (unit(subtract(next, *corner)), unit(subtract(last, *corner))) else { continue };
+        let (Some(a), Some(b)) = (unit(subtract(next, *corner)), unit(subtract(last, *corner))) else {
+            continue;
+        };
         let angle = dot(a, b).clamp(-1.0, 1.0).acos();
         let sum = sums.entry(corner.map(point)).or_default();
         *sum = std::array::from_fn(|axis| sum[axis] + normal[axis] * angle);

@@ -57,7 +57,8 @@ impl Model {
             Length::from_bits((f64::midpoint(low[axis], high[axis]) * 65_536.0).round() as i32)
         });
         let origin = centre.map(|length| f64::from(length.to_bits()) / 65_536.0);
-        let extent = (0..3).map(|axis| (high[axis] - origin[axis]).max(origin[axis] - low[axis])).fold(0.0, f64::max);
+        let extent =
+            (0..3).map(|axis| (high[axis] - origin[axis]).max(origin[axis] - low[axis])).fold(0.0, f64::max);
         let half = half_of(extent);
         let step = f64::from(half.to_bits()) / 65_536.0 / 32_768.0;
 
@@ -73,15 +74,18 @@ impl Model {
         let uvs: Vec<[i16; 2]> =
             self.uvs.iter().map(|uv| uv.map(|value| (value / uv_step).round() as i16)).collect();
 
-        let place = |position: &[i16; 3]| std::array::from_fn(|axis| origin[axis] + f64::from(position[axis]) * step);
+        let place =
+            |position: &[i16; 3]| std::array::from_fn(|axis| origin[axis] + f64::from(position[axis]) * step);
         let [position_max, position_rms] = distances(&self.positions, positions.iter().map(place));
-        let all_normals = self.normals.iter().zip(&normals).chain(self.face_normals.iter().zip(&face_normals));
+        let all_normals =
+            self.normals.iter().zip(&normals).chain(self.face_normals.iter().zip(&face_normals));
         let uv_values = self.uvs.as_flattened().iter().zip(uvs.as_flattened());
         let error = QuantisationError {
             position_max,
             position_rms,
             normal_degrees: all_normals.map(|(n, packed)| degrees(*n, *packed)).fold(0.0, f64::max),
-            uv_texels: uv_values.map(|(uv, raw)| (f64::from(*raw) * uv_step - uv).abs()).fold(0.0, f64::max) * TEXELS,
+            uv_texels: uv_values.map(|(uv, raw)| (f64::from(*raw) * uv_step - uv).abs()).fold(0.0, f64::max)
+                * TEXELS,
         };
         Ok(Packed {
             positions,
@@ -117,7 +121,8 @@ impl Model {
             (self.vertex_colours.len(), vertices),
             (self.face_colours.len(), faces),
         ];
-        if let Some(&(given, needed)) = lengths.iter().find(|(given, needed)| *given != 0 && given != needed) {
+        if let Some(&(given, needed)) = lengths.iter().find(|(given, needed)| *given != 0 && given != needed)
+        {
             return Err(Problem::LengthMismatch { given, needed });
         }
         let coordinates = self.positions.as_flattened();
@@ -230,10 +235,18 @@ impl Display for Packed {
         let error = self.error;
         writeln!(f, "vertices        {}", self.positions.len())?;
         writeln!(f, "faces           {}", self.faces.len())?;
-        writeln!(f, "position error  {:.3e} at most, {:.3e} rms, in the mesh's unit", error.position_max, error.position_rms)?;
+        writeln!(
+            f,
+            "position error  {:.3e} at most, {:.3e} rms, in the mesh's unit",
+            error.position_max, error.position_rms
+        )?;
         writeln!(f, "normal error    {:.2} degrees at most", error.normal_degrees)?;
         if !self.uvs.is_empty() {
-            writeln!(f, "uv error        {:.4} texels of 256 at most, exponent {}", error.uv_texels, self.uv_exponent)?;
+            writeln!(
+                f,
+                "uv error        {:.4} texels of 256 at most, exponent {}",
+                error.uv_texels, self.uv_exponent
+            )?;
         }
         write!(f, "flash           {} bytes", self.bytes())
     }

@@ -12,7 +12,7 @@ use tobj::{LoadOptions, MTLLoadResult, Material};
 /// Reads an OBJ file: positions, normals, texture coordinates and vertex colours, the faces of all its groups, and
 /// from its materials a colour for each face (`Kd`) and the images they name (`map_Kd`).
 ///
-/// Polygons become fans of triangles. Normals that the file lacks are computed, smooth. Texture coordinates are turned
+/// Polygons become triangles, those with dents too. Normals that the file lacks are computed, smooth. Texture coordinates are turned
 /// upside down, because v grows up in OBJ and down in the library. A material file that is missing or wrong is a
 /// warning; lines, points and curves are passed over.
 ///
@@ -26,8 +26,10 @@ pub fn read_obj(path: impl AsRef<Path>) -> Result<Model, Error> {
 
     let library = RefCell::new(MaterialFiles::new(path));
     let options = LoadOptions { triangulate: true, single_index: true, ..LoadOptions::default() };
-    let loaded = tobj::load_obj_buf(&mut plain.text.as_bytes(), &options, |name| library.borrow_mut().load(name));
-    let (groups, materials) = loaded.map_err(|error| Error::file(path, Problem::Parser(error.to_string())))?;
+    let loaded =
+        tobj::load_obj_buf(&mut plain.text.as_bytes(), &options, |name| library.borrow_mut().load(name));
+    let (groups, materials) =
+        loaded.map_err(|error| Error::file(path, Problem::Parser(error.to_string())))?;
     // Material files that cannot be used are warnings of the library's already.
     let materials = materials.unwrap_or_default();
     let library = library.into_inner();
@@ -41,7 +43,8 @@ pub fn read_obj(path: impl AsRef<Path>) -> Result<Model, Error> {
             welder.face(face.map(|index| corner(mesh, index as usize, &plain)), face_colour);
         }
     }
-    let textures = library.textures(materials.iter().filter_map(|material| material.diffuse_texture.as_deref()));
+    let textures =
+        library.textures(materials.iter().filter_map(|material| material.diffuse_texture.as_deref()));
     Ok(Model { textures, warnings: library.warnings, ..welder.finish(path) })
 }
 
@@ -159,7 +162,11 @@ fn diffuse(text: &str) -> Option<[f64; 3]> {
 fn image_name(mut text: &str) -> Option<String> {
     while text.starts_with('-') {
         text = after_word(text);
-        while text.split_whitespace().next().is_some_and(|word| word.parse::<f64>().is_ok() || word == "on" || word == "off") {
+        while text
+            .split_whitespace()
+            .next()
+            .is_some_and(|word| word.parse::<f64>().is_ok() || word == "on" || word == "off")
+        {
             text = after_word(text);
         }
     }

@@ -30,7 +30,11 @@ pub fn read_stl(path: impl AsRef<Path>) -> Result<Model, Error> {
     } else {
         let needed = check_binary(path, &bytes)?;
         if bytes.len() > needed {
-            warnings.push(format!("{}: {} bytes after the last triangle", path.display(), bytes.len() - needed));
+            warnings.push(format!(
+                "{}: {} bytes after the last triangle",
+                path.display(),
+                bytes.len() - needed
+            ));
         }
         // The reader takes each file that starts with "solid" for text, and the first 80 bytes mean nothing.
         bytes[..5].fill(b' ');
@@ -45,7 +49,9 @@ pub fn read_stl(path: impl AsRef<Path>) -> Result<Model, Error> {
             let position = mesh.vertices[index].0.map(f64::from);
             Corner { position, ..Corner::default() }
         });
-        if let Some(value) = corners.iter().flat_map(|corner| corner.position).find(|value| !value.is_finite()) {
+        if let Some(value) =
+            corners.iter().flat_map(|corner| corner.position).find(|value| !value.is_finite())
+        {
             let keyword = format!("triangle {}", number + 1);
             return Err(Error::file(path, Problem::NotFinite { keyword, value: value.to_string() }));
         }
@@ -115,13 +121,21 @@ fn plain_text(path: &Path, text: &str) -> Result<String, Error> {
     }
     if inside {
         let expected = if state == 0 { "endsolid" } else { TRIANGLE_LINES[state] };
-        return Err(Error::line(path, last, Problem::Truncated { needed: format!("'{expected}' should follow") }));
+        return Err(Error::line(
+            path,
+            last,
+            Problem::Truncated { needed: format!("'{expected}' should follow") },
+        ));
     }
     plain += "endsolid mesh\n";
     Ok(plain)
 }
 
-fn write_line<'w>(plain: &mut String, keyword: &str, words: impl Iterator<Item = &'w str>) -> Result<(), Problem> {
+fn write_line<'w>(
+    plain: &mut String,
+    keyword: &str,
+    words: impl Iterator<Item = &'w str>,
+) -> Result<(), Problem> {
     let written = match keyword {
         // Triangles without area often have no number for a normal, and no normal is read anyway.
         "facet normal" => writeln!(plain, "facet normal 0 0 0"),

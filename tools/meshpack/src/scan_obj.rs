@@ -4,6 +4,7 @@
 //! comments after numbers, continued lines and tabs in front of names: real files have all of these.
 
 use crate::error::{Error, Problem};
+use crate::polygon::split_dented;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -193,6 +194,10 @@ impl<'a> Scan<'a> {
         Ok(())
     }
 
+    fn positions(&self, face: &[Corner]) -> Vec<[f64; 3]> {
+        face.iter().filter_map(|corner| self.vertices.get(corner[0]? - 1)).copied().collect()
+    }
+
     fn write(&self) -> Plain {
         let mut text = String::new();
         let mut put = |line: std::fmt::Arguments<'_>| {
@@ -219,10 +224,20 @@ impl<'a> Scan<'a> {
                 Line::Name(keyword, name) => put(format_args!("{keyword} {name}")),
                 Line::Face(face) => {
                     let corner = |[v, vt, vn]: &Corner| {
-                        let (v, vt, vn) = (v.unwrap_or_default(), vt.unwrap_or(last_uv), vn.unwrap_or(last_normal));
+                        let v = v.unwrap_or_default();
+                        let (vt, vn) = (vt.unwrap_or(last_uv), vn.unwrap_or(last_normal));
                         format!(" {v}/{vt}/{vn}")
                     };
-                    put(format_args!("f{}", face.iter().map(corner).collect::<String>()));
+                    let written: Vec<String> = face.iter().map(corner).collect();
+                    // The parser makes fans, which a polygon with a dent does not stand.
+                    match split_dented(&self.positions(face)) {
+                        None => put(format_args!("f{}", written.concat())),
+                        Some(triangles) => {
+                            for [a, b, c] in triangles {
+                                put(format_args!("f{}{}{}", written[a], written[b], written[c]));
+                            }
+                        }
+                    }
                 }
             }
         }

@@ -16,7 +16,8 @@ impl Packed {
             self.vertex_colours.len(),
             self.face_colours.len(),
         ];
-        let flags = lengths.iter().enumerate().map(|(bit, length)| u16::from(*length > 0) << bit).sum::<u16>();
+        let flags =
+            lengths.iter().enumerate().map(|(bit, length)| u16::from(*length > 0) << bit).sum::<u16>();
         let mut blob = b"TLMH".to_vec();
         blob.extend(VERSION.to_le_bytes());
         blob.extend(flags.to_le_bytes());

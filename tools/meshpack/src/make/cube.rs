@@ -21,8 +21,9 @@ pub(super) fn make() -> Packed {
     for (normal, right, colour) in SIDES {
         let down = cross(right, normal);
         let [a, b, c, d] = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].map(|[u, v]: [f64; 2]| {
-            let position =
-                std::array::from_fn(|axis| normal[axis] + right[axis] * (2.0 * u - 1.0) + down[axis] * (2.0 * v - 1.0));
+            let position = std::array::from_fn(|axis| {
+                normal[axis] + right[axis] * (2.0 * u - 1.0) + down[axis] * (2.0 * v - 1.0)
+            });
             corner(position, normal, Some([u, v]))
         });
         welder.face([a, b, c], Some(colour));

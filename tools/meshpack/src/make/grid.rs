@@ -19,7 +19,9 @@ const ROW: usize = 32;
 pub(super) fn make() -> Packed {
     let lines = |keyword: &'static str| {
         TEXT.lines().filter_map(move |line| line.strip_prefix(keyword)).map(|rest| {
-            rest.split_whitespace().map(|word| word.parse::<i32>().expect("the grid is numbers")).collect::<Vec<_>>()
+            rest.split_whitespace()
+                .map(|word| word.parse::<i32>().expect("the grid is numbers"))
+                .collect::<Vec<_>>()
         })
     };
     let points: Vec<[i32; 2]> = lines("v ").map(|numbers| [numbers[0], numbers[1]]).collect();
@@ -29,7 +31,8 @@ pub(super) fn make() -> Packed {
         // The exponent is 1, so that 1.0 is exact: 16 384 steps to the edge, rounded to nearest.
         ((value * 2 * 16_384 + EDGE) / (2 * EDGE)) as i16
     };
-    let uv_error = |value: i32| (f64::from(uv(value)) / 16_384.0 - f64::from(value) / f64::from(EDGE)).abs() * 256.0;
+    let uv_error =
+        |value: i32| (f64::from(uv(value)) / 16_384.0 - f64::from(value) / f64::from(EDGE)).abs() * 256.0;
     Packed {
         positions: points.iter().map(|&[x, y]| [(x - EDGE / 2) as i16, (EDGE / 2 - y) as i16, 0]).collect(),
         normals: vec![[0, 0, 127]; points.len()],

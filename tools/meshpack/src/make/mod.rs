@@ -30,7 +30,12 @@ pub struct Made<T> {
 pub fn made_meshes() -> Vec<Made<Packed>> {
     let mesh = |module, name, doc, packed| Made { module, name, doc, packed };
     vec![
-        mesh("cube", "CUBE", "A cube from -1 to 1: a colour and a texture's whole image on each side.", cube::make()),
+        mesh(
+            "cube",
+            "CUBE",
+            "A cube from -1 to 1: a colour and a texture's whole image on each side.",
+            cube::make(),
+        ),
         mesh(
             "floor",
             "FLOOR",
@@ -44,7 +49,12 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
              origin, y up.",
             grid::make(),
         ),
-        mesh("icosphere", "ICOSPHERE", "A sphere of radius 1, an icosahedron split twice.", icosphere::make(2)),
+        mesh(
+            "icosphere",
+            "ICOSPHERE",
+            "A sphere of radius 1, an icosahedron split twice.",
+            icosphere::make(2),
+        ),
         mesh(
             "icosphere_fine",
             "ICOSPHERE_FINE",
@@ -97,7 +107,10 @@ pub fn generated() -> Vec<(PathBuf, String)> {
         .chain(texture_files)
         .chain([
             ("mesh/mod.rs".into(), list("The meshes of the scenes, made by `meshpack make`.", &mesh_names)),
-            ("texture/mod.rs".into(), list("The textures of the scenes, made by `meshpack make`.", &texture_names)),
+            (
+                "texture/mod.rs".into(),
+                list("The textures of the scenes, made by `meshpack make`.", &texture_names),
+            ),
         ])
         .collect()
 }

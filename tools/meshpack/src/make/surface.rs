@@ -29,14 +29,25 @@ impl Point {
 pub(super) fn corner(position: [f64; 3], normal: [f64; 3], uv: Option<[f64; 2]>) -> Corner {
     const STEPS: f64 = (1_u64 << 40) as f64;
     let snap = |value: f64| (value * STEPS).round() / STEPS;
-    Corner { position: position.map(snap), normal: Some(normal.map(snap)), uv: uv.map(|uv| uv.map(snap)), colour: None }
+    Corner {
+        position: position.map(snap),
+        normal: Some(normal.map(snap)),
+        uv: uv.map(|uv| uv.map(snap)),
+        colour: None,
+    }
 }
 
 /// Adds the quads between `rows + 1` rows and `columns + 1` columns of corners, each as two triangles.
-pub(super) fn sheet(welder: &mut Welder, rows: usize, columns: usize, corner: impl Fn(usize, usize) -> Corner) {
+pub(super) fn sheet(
+    welder: &mut Welder,
+    rows: usize,
+    columns: usize,
+    corner: impl Fn(usize, usize) -> Corner,
+) {
     for row in 0..rows {
         for column in 0..columns {
-            let [a, b, c, d] = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(down, right)| corner(row + down, column + right));
+            let [a, b, c, d] =
+                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(down, right)| corner(row + down, column + right));
             welder.face([a, b, c], None);
             welder.face([a, c, d], None);
         }

@@ -89,7 +89,8 @@ fn pot(welder: &mut Welder) {
     let mut length = 0.0;
     for (part, (rows, points)) in PROFILE.into_iter().enumerate() {
         if part == 2 {
-            length = turn(welder, columns, &[(SEAT[0], [0.1, 0.056, 0.0]), (SEAT[1], [0.1, 0.056, 0.0])], length);
+            length =
+                turn(welder, columns, &[(SEAT[0], [0.1, 0.056, 0.0]), (SEAT[1], [0.1, 0.056, 0.0])], length);
         }
         let rows: Vec<_> = (0..=rows).map(|row| bezier(points, row as f64 / rows as f64)).collect();
         length = turn(welder, columns, &rows, length);
@@ -148,7 +149,8 @@ fn tube(welder: &mut Welder, patches: [[Ring; 4]; 2], rows: [usize; 2]) {
             Point { position, right, down, uv }.corner([0.0; 3])
         });
     }
-    let ring = |ring: Ring| (0..columns).map(move |column| corner(across(ring, column).0, [0.0; 3], None).position);
+    let ring =
+        |ring: Ring| (0..columns).map(move |column| corner(across(ring, column).0, [0.0; 3], None).position);
     cap(welder, &ring(patches[0][0]).collect::<Vec<_>>(), REPEATS);
     cap(welder, &ring(patches[1][3]).rev().collect::<Vec<_>>(), REPEATS);
 }

@@ -7,7 +7,8 @@ use topleft::Wrap;
 const SIZE: u16 = 64;
 
 fn make(colour: impl Fn(u16, u16) -> [u8; 3]) -> PackedTexture {
-    let texels = (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y))).map(|(x, y)| rgb565(colour(x, y))).collect();
+    let texels =
+        (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y))).map(|(x, y)| rgb565(colour(x, y))).collect();
     PackedTexture { width: SIZE, height: SIZE, texels, wrap: Wrap::Repeat }
 }
 
@@ -28,7 +29,8 @@ pub(super) fn brick() -> PackedTexture {
         let shade = noise(along / 16, course) % 48;
         let grain = noise(x, y + 64) % 16;
         let light = if y % 8 == 0 { 24 } else { 0 };
-        [136 + shade + grain + light, 56 + shade / 2 + grain + light, 44 + shade / 3 + grain + light].map(|c| c as u8)
+        [136 + shade + grain + light, 56 + shade / 2 + grain + light, 44 + shade / 3 + grain + light]
+            .map(|c| c as u8)
     })
 }
 

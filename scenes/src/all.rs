@@ -1,0 +1,112 @@
+//! All scenes.
+
+use topleft::{Cull, Length, Material, Mesh, Texture, Turn};
+
+use crate::mesh::{CUBE, FLOOR, GRID240, ICOSPHERE_FINE, TEAPOT, TORUS_KNOT};
+use crate::scene::{Camera, Object, Scene, Spin};
+use crate::shade::{Look, Shade};
+use crate::texture::{BRICK, CHECKER, TEST_CARD};
+
+/// All scenes, by name.
+pub const SCENES: &[Scene] = &[
+    Scene {
+        name: "teapot",
+        about: "Newell's teapot over a checkered floor",
+        camera: orbit(["0", "-0.05", "0"], "3", 22, (1.0, 7.0)),
+        background: NIGHT,
+        objects: &[
+            Object { at: place("0", "-0.525", "0"), ..still(&FLOOR, look(CHECKER, Shade::PerPixel)) },
+            Object { spin: Spin::Upright, ..still(&TEAPOT, coloured([0xE0, 0xA8, 0x50], Shade::Gouraud)) },
+        ],
+    },
+    Scene {
+        name: "cube",
+        about: "a brick cube under light, tumbling",
+        camera: orbit(["0", "0", "0"], "5", 15, (2.5, 8.0)),
+        background: NIGHT,
+        objects: &[Object { spin: Spin::Tumbling, ..still(&CUBE, look(BRICK, Shade::Lit)) }],
+    },
+    Scene {
+        name: "near-cube",
+        about: "a cube so near that the near plane cuts it",
+        camera: orbit(["0", "0", "0"], "2.1", 10, (0.5, 4.0)),
+        background: NIGHT,
+        objects: &[Object { spin: Spin::Upright, ..still(&CUBE, look(TEST_CARD, Shade::PerPixel)) }],
+    },
+    Scene {
+        name: "sphere",
+        about: "1280 small triangles",
+        camera: orbit(["0", "0", "0"], "3.2", 10, (1.5, 5.0)),
+        background: NIGHT,
+        objects: &[Object {
+            spin: Spin::Upright,
+            ..still(&ICOSPHERE_FINE, coloured([0x60, 0xC0, 0xF0], Shade::Gouraud))
+        }],
+    },
+    Scene {
+        name: "knot",
+        about: "a torus knot in its own colours, hiding itself",
+        camera: orbit(["0", "0", "0"], "3.6", 20, (1.5, 6.0)),
+        background: NIGHT,
+        objects: &[Object {
+            spin: Spin::Tumbling,
+            look: Look { material: Material::OfMesh, texture: CHECKER, shade: Shade::Gouraud },
+            ..still(&TORUS_KNOT, look(CHECKER, Shade::Gouraud))
+        }],
+    },
+    Scene {
+        name: "floor",
+        about: "a floor that runs to the horizon and behind the viewer",
+        camera: orbit(["0", "0", "0"], "2.2", 12, (0.1, 30.0)),
+        background: SKY,
+        objects: &[Object {
+            scale: Length::lit("12"),
+            spin: Spin::Upright,
+            ..still(&FLOOR, look(CHECKER, Shade::PerPixel))
+        }],
+    },
+    Scene {
+        name: "grid240",
+        about: "512 flat triangles that cover 240x240 pixels exactly once",
+        camera: Camera::Front { height: 240.0 },
+        background: [255, 0, 255],
+        objects: &[Object {
+            cull: Cull::None,
+            ..still(&GRID240, Look { material: Material::OfMesh, texture: TEST_CARD, shade: Shade::Plain })
+        }],
+    },
+];
+
+/// The scene of that name.
+pub fn by_name(name: &str) -> Option<&'static Scene> {
+    SCENES.iter().find(|scene| scene.name == name)
+}
+
+const NIGHT: [u8; 3] = [16, 20, 40];
+const SKY: [u8; 3] = [120, 170, 230];
+
+const fn place(x: &str, y: &str, z: &str) -> [Length; 3] {
+    [Length::lit(x), Length::lit(y), Length::lit(z)]
+}
+
+const fn orbit([x, y, z]: [&str; 3], distance: &str, pitch: i32, depth: (f32, f32)) -> Camera {
+    Camera::Orbit {
+        target: place(x, y, z),
+        distance: Length::lit(distance),
+        pitch: Turn::from_degrees(pitch),
+        field_of_view: 45,
+        depth,
+    }
+}
+
+const fn look(texture: Texture<'static>, shade: Shade) -> Look {
+    Look { material: Material::Colour([200; 3]), texture, shade }
+}
+
+const fn coloured(colour: [u8; 3], shade: Shade) -> Look {
+    Look { material: Material::Colour(colour), texture: BRICK, shade }
+}
+
+const fn still(mesh: &'static Mesh<'static>, look: Look) -> Object {
+    Object { mesh, at: [Length::ZERO; 3], scale: Length::ONE, spin: Spin::Still, look, cull: Cull::Back }
+}

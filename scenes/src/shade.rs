@@ -1,0 +1,75 @@
+//! How an object looks, and the ways to shade it.
+
+use topleft::{Affine, Flat, Gouraud, Length, Material, PerPixel, Pixel, Sun, Texture, Textured};
+
+/// What an object is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    /// Its colour under full light.
+    pub material: Material,
+    /// Its texture, for the ways of shading that show one.
+    pub texture: Texture<'static>,
+    /// How it is shaded unless the caller says otherwise.
+    pub shade: Shade,
+}
+
+/// A way to shade an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shade {
+    /// One colour a face, without light.
+    Plain,
+    /// One colour a face, by the face's light.
+    Flat,
+    /// A colour a vertex, by the vertex's light.
+    Gouraud,
+    /// The texture without perspective.
+    Affine,
+    /// The texture with a division a pixel.
+    PerPixel,
+    /// The texture with a division a pixel, under the vertices' light.
+    Lit,
+}
+
+impl Shade {
+    /// All ways, in the order of what they cost.
+    pub const ALL: [Self; 6] =
+        [Self::Plain, Self::Flat, Self::Gouraud, Self::Affine, Self::PerPixel, Self::Lit];
+
+    /// The name on a command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Flat => "flat",
+            Self::Gouraud => "gouraud",
+            Self::Affine => "affine",
+            Self::PerPixel => "per-pixel",
+            Self::Lit => "lit",
+        }
+    }
+}
+
+/// A sun above the viewer's left shoulder.
+pub(crate) fn sun() -> Sun {
+    Sun::new([Length::lit("-0.5"), Length::lit("0.9"), Length::lit("0.7")])
+}
+
+/// Calls back with the shader for a way of shading: each is a type of its own.
+pub(crate) trait WithShader<'a, P> {
+    type Output;
+
+    fn with<S: topleft::stages::Shader<'a, P>>(self, shader: &S) -> Self::Output;
+}
+
+impl Look {
+    pub(crate) fn shader<'a, P: Pixel, W: WithShader<'a, P>>(&self, shade: Shade, with: W) -> W::Output {
+        let texture: Texture<'a> = self.texture;
+        match shade {
+            Shade::Plain => with.with(&Flat::new(self.material)),
+            Shade::Flat => with.with(&Flat::new(self.material).lit_by(&sun())),
+            Shade::Gouraud => with.with(&Gouraud::new(&sun(), &self.material)),
+            Shade::Affine => with.with(&Textured::new(&texture, Affine)),
+            Shade::PerPixel => with.with(&Textured::new(&texture, PerPixel)),
+            Shade::Lit => with.with(&Textured::new(&texture, PerPixel).lit_by(&sun())),
+        }
+    }
+}
