@@ -4,7 +4,7 @@ use topleft::{Cull, Length, Material, Mesh, Texture, Turn};
 
 use crate::mesh::{CUBE, FLOOR, GRID240, ICOSPHERE_FINE, TEAPOT, TORUS_KNOT};
 use crate::scene::{Camera, Object, Scene, Spin};
-use crate::shade::{Look, Shade};
+use crate::shade::{Look, Method, Shade};
 use crate::texture::{BRICK, CHECKER, TEST_CARD};
 
 /// All scenes, by name.
@@ -15,7 +15,7 @@ pub const SCENES: &[Scene] = &[
         camera: orbit(["0", "-0.05", "0"], "3", 22, (1.0, 7.0)),
         background: NIGHT,
         objects: &[
-            Object { at: place("0", "-0.525", "0"), ..still(&FLOOR, look(CHECKER, Shade::PerPixel)) },
+            Object { at: place("0", "-0.525", "0"), ..still(&FLOOR, look(CHECKER, Shade::Textured)) },
             Object { spin: Spin::Upright, ..still(&TEAPOT, coloured([0xE0, 0xA8, 0x50], Shade::Gouraud)) },
         ],
     },
@@ -31,7 +31,7 @@ pub const SCENES: &[Scene] = &[
         about: "a cube so near that the near plane cuts it",
         camera: orbit(["0", "0", "0"], "2.1", 10, (0.5, 4.0)),
         background: NIGHT,
-        objects: &[Object { spin: Spin::Upright, ..still(&CUBE, look(TEST_CARD, Shade::PerPixel)) }],
+        objects: &[Object { spin: Spin::Upright, ..still(&CUBE, look(TEST_CARD, Shade::Textured)) }],
     },
     Scene {
         name: "sphere",
@@ -50,7 +50,12 @@ pub const SCENES: &[Scene] = &[
         background: NIGHT,
         objects: &[Object {
             spin: Spin::Tumbling,
-            look: Look { material: Material::OfMesh, texture: CHECKER, shade: Shade::Gouraud },
+            look: Look {
+                material: Material::OfMesh,
+                texture: CHECKER,
+                shade: Shade::Gouraud,
+                method: Method::PerPixel,
+            },
             ..still(&TORUS_KNOT, look(CHECKER, Shade::Gouraud))
         }],
     },
@@ -62,7 +67,7 @@ pub const SCENES: &[Scene] = &[
         objects: &[Object {
             scale: Length::lit("12"),
             spin: Spin::Upright,
-            ..still(&FLOOR, look(CHECKER, Shade::PerPixel))
+            ..still(&FLOOR, look(CHECKER, Shade::Textured))
         }],
     },
     Scene {
@@ -72,7 +77,15 @@ pub const SCENES: &[Scene] = &[
         background: [255, 0, 255],
         objects: &[Object {
             cull: Cull::None,
-            ..still(&GRID240, Look { material: Material::OfMesh, texture: TEST_CARD, shade: Shade::Plain })
+            ..still(
+                &GRID240,
+                Look {
+                    material: Material::OfMesh,
+                    texture: TEST_CARD,
+                    shade: Shade::Plain,
+                    method: Method::PerPixel,
+                },
+            )
         }],
     },
 ];
@@ -100,11 +113,11 @@ const fn orbit([x, y, z]: [&str; 3], distance: &str, pitch: i32, depth: (f32, f3
 }
 
 const fn look(texture: Texture<'static>, shade: Shade) -> Look {
-    Look { material: Material::Colour([200; 3]), texture, shade }
+    Look { material: Material::Colour([200; 3]), texture, shade, method: Method::PerPixel }
 }
 
 const fn coloured(colour: [u8; 3], shade: Shade) -> Look {
-    Look { material: Material::Colour(colour), texture: BRICK, shade }
+    Look { material: Material::Colour(colour), texture: BRICK, shade, method: Method::PerPixel }
 }
 
 const fn still(mesh: &'static Mesh<'static>, look: Look) -> Object {

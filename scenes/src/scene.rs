@@ -4,7 +4,7 @@ use embedded_graphics_core::geometry::Size;
 use topleft::stages::{Shader, Traversal};
 use topleft::{Cull, Depth, DrawError, DrawList, Length, Mesh, Orthographic, Perspective, Pixel, Pose, Turn};
 
-use crate::shade::{Look, Shade, WithShader};
+use crate::shade::{Look, Method, Shade, WithShader};
 
 /// A camera, and objects from back to front.
 #[derive(Clone, Copy, Debug)]
@@ -85,11 +85,20 @@ pub struct View {
     pub distance: Length,
     /// A way of shading for all objects, or each its own.
     pub shade: Option<Shade>,
+    /// A way to find texels for all objects, or each its own.
+    pub method: Option<Method>,
 }
 
 impl Default for View {
     fn default() -> Self {
-        Self { turn: Turn::ZERO, yaw: Turn::ZERO, pitch: Turn::ZERO, distance: Length::ONE, shade: None }
+        Self {
+            turn: Turn::ZERO,
+            yaw: Turn::ZERO,
+            pitch: Turn::ZERO,
+            distance: Length::ONE,
+            shade: None,
+            method: None,
+        }
     }
 }
 
@@ -109,9 +118,10 @@ impl Scene {
             list.set_cull(object.cull);
             let pose = object.pose(view.turn);
             let shade = view.shade.unwrap_or(object.look.shade);
+            let method = view.method.unwrap_or(object.look.method);
             let drawing =
                 Drawing { list: &mut *list, size, camera: self.camera, view, mesh: object.mesh, pose };
-            match object.look.shader(shade, drawing) {
+            match object.look.shader(shade, method, drawing) {
                 Err(DrawError::Full { triangles, words }) => {
                     left_out = (left_out.0 + triangles, left_out.1 + words);
                 }

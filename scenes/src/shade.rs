@@ -1,4 +1,4 @@
-//! How an object looks, and the ways to shade it.
+//! How an object looks, and the ways to shade it: each a shader type of its own.
 
 use topleft::{Affine, Flat, Gouraud, Length, Material, PerPixel, Pixel, Sun, Texture, Textured};
 
@@ -11,6 +11,8 @@ pub struct Look {
     pub texture: Texture<'static>,
     /// How it is shaded unless the caller says otherwise.
     pub shade: Shade,
+    /// How its texels are found unless the caller says otherwise.
+    pub method: Method,
 }
 
 /// A way to shade an object.
@@ -22,18 +24,15 @@ pub enum Shade {
     Flat,
     /// A colour a vertex, by the vertex's light.
     Gouraud,
-    /// The texture without perspective.
-    Affine,
-    /// The texture with a division a pixel.
-    PerPixel,
-    /// The texture with a division a pixel, under the vertices' light.
+    /// The texture as it is.
+    Textured,
+    /// The texture under the vertices' light.
     Lit,
 }
 
 impl Shade {
     /// All ways, in the order of what they cost.
-    pub const ALL: [Self; 6] =
-        [Self::Plain, Self::Flat, Self::Gouraud, Self::Affine, Self::PerPixel, Self::Lit];
+    pub const ALL: [Self; 5] = [Self::Plain, Self::Flat, Self::Gouraud, Self::Textured, Self::Lit];
 
     /// The name on a command line.
     pub const fn name(self) -> &'static str {
@@ -41,9 +40,30 @@ impl Shade {
             Self::Plain => "plain",
             Self::Flat => "flat",
             Self::Gouraud => "gouraud",
+            Self::Textured => "textured",
+            Self::Lit => "lit",
+        }
+    }
+}
+
+/// How texels are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Without perspective.
+    Affine,
+    /// With a reciprocal a pixel.
+    PerPixel,
+}
+
+impl Method {
+    /// All methods, in the order of what they cost.
+    pub const ALL: [Self; 2] = [Self::Affine, Self::PerPixel];
+
+    /// The name on a command line.
+    pub const fn name(self) -> &'static str {
+        match self {
             Self::Affine => "affine",
             Self::PerPixel => "per-pixel",
-            Self::Lit => "lit",
         }
     }
 }
@@ -61,15 +81,21 @@ pub(crate) trait WithShader<'a, P> {
 }
 
 impl Look {
-    pub(crate) fn shader<'a, P: Pixel, W: WithShader<'a, P>>(&self, shade: Shade, with: W) -> W::Output {
+    pub(crate) fn shader<'a, P: Pixel, W: WithShader<'a, P>>(
+        &self,
+        shade: Shade,
+        method: Method,
+        with: W,
+    ) -> W::Output {
         let texture: Texture<'a> = self.texture;
-        match shade {
-            Shade::Plain => with.with(&Flat::new(self.material)),
-            Shade::Flat => with.with(&Flat::new(self.material).lit_by(&sun())),
-            Shade::Gouraud => with.with(&Gouraud::new(&sun(), &self.material)),
-            Shade::Affine => with.with(&Textured::new(&texture, Affine)),
-            Shade::PerPixel => with.with(&Textured::new(&texture, PerPixel)),
-            Shade::Lit => with.with(&Textured::new(&texture, PerPixel).lit_by(&sun())),
+        match (shade, method) {
+            (Shade::Plain, _) => with.with(&Flat::new(self.material)),
+            (Shade::Flat, _) => with.with(&Flat::new(self.material).lit_by(&sun())),
+            (Shade::Gouraud, _) => with.with(&Gouraud::new(&sun(), &self.material)),
+            (Shade::Textured, Method::Affine) => with.with(&Textured::new(&texture, Affine)),
+            (Shade::Textured, Method::PerPixel) => with.with(&Textured::new(&texture, PerPixel)),
+            (Shade::Lit, Method::Affine) => with.with(&Textured::new(&texture, Affine).lit_by(&sun())),
+            (Shade::Lit, Method::PerPixel) => with.with(&Textured::new(&texture, PerPixel).lit_by(&sun())),
         }
     }
 }
