@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::render::{self, stride};
-use super::{DrawError, DrawList, Kept, ListTriangle, MAX_WORDS};
+use super::{DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
 use crate::attributes::Words;
 use crate::camera::Camera;
 use crate::clip::{ClipVertex, Outcode, Polygon, clip};
@@ -37,7 +37,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             self.stats.outside += faces;
             return Ok(());
         }
-        let kept = self.keep::<S::Pixel>(&shader.pixel())?;
+        let (kept, base) = self.keep::<S::Pixel>(&shader.pixel(), mesh.positions().len())?;
         let viewport = transform.projection.viewport;
         self.size = [viewport.width(), viewport.height()];
         self.stats.faces += faces;
@@ -47,17 +47,19 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             mesh,
             shader,
             kept,
+            base,
             types: PhantomData,
         };
-        let base = self.used_words;
+        let start = self.used_words;
+        let first = (start - base) / Drawing::<C, S, P, D>::STRIDE;
         if let Err(words) = self.reserve(mesh.positions().len() * Drawing::<C, S, P, D>::STRIDE) {
             return Err(DrawError::Full { triangles: faces, words });
         }
-        drawing.vertices(self.words.get_mut(base..).unwrap_or_default());
+        drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
         for (face, corners) in mesh.faces().iter().enumerate() {
-            let vertices = corners.map(|corner| base + usize::from(corner) * Drawing::<C, S, P, D>::STRIDE);
-            match seen(vertices.map(|at| self.header(at))) {
+            let vertices = corners.map(|corner| first + usize::from(corner));
+            match seen(vertices.map(|vertex| self.header(drawing.word(vertex)))) {
                 Seen::Outside => self.stats.outside += 1,
                 Seen::Whole(points) => self.face(&drawing, face, vertices, points, &mut left_out),
                 Seen::Crossing(planes) => {
@@ -69,25 +71,34 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         left_out.result()
     }
 
-    /// Where a shader is kept: the same place as an equal one before it.
-    fn keep<S: PixelShader<'a, P>>(&mut self, shader: &S) -> Result<u8, DrawError> {
-        let kept = Kept { uniforms: shader.uniforms(), draw: render::triangle::<P, D, T, S> };
-        let same = |other: &Kept<'a, P, D>| {
-            core::ptr::fn_addr_eq(other.draw, kept.draw) && other.uniforms == kept.uniforms
-        };
-        if let Some(place) = self.shaders.iter().position(same) {
-            return Ok(place as u8);
+    /// Where a shader is kept, and the first word of its vertices: the same place as an equal one before it, as long
+    /// as its triangles can name `vertices` more.
+    fn keep<S: PixelShader<'a, P>>(&mut self, shader: &S, vertices: usize) -> Result<(u8, usize), DrawError> {
+        let uniforms = shader.uniforms();
+        let draw: DrawFn<'a, P, D> = render::triangle::<P, D, T, S>;
+        let stride = stride::<P, D, S>();
+        for (place, kept) in self.shaders.iter().enumerate() {
+            let named = (self.used_words - kept.base).div_ceil(stride);
+            let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms == uniforms;
+            if same && named + vertices <= MAX_NAMED {
+                // Other shaders' vertices may lie between: the next ones start at a whole number of these.
+                let aligned = kept.base + named * stride;
+                if aligned <= self.words.len() {
+                    self.used_words = aligned;
+                }
+                return Ok((place as u8, kept.base));
+            }
         }
-        self.shaders.push(kept).map_err(|_| DrawError::TooManyShaders)?;
-        Ok((self.shaders.len() - 1) as u8)
+        let base = self.used_words;
+        self.shaders.push(Kept { uniforms, draw, base }).map_err(|_| DrawError::TooManyShaders)?;
+        Ok(((self.shaders.len() - 1) as u8, base))
     }
 
     /// Takes words for vertices; or tells how many are missing.
     fn reserve(&mut self, words: usize) -> Result<(), usize> {
         let end = self.used_words + words;
-        let all = self.words.len().min(MAX_WORDS);
-        if end > all {
-            return Err(end - all);
+        if end > self.words.len() {
+            return Err(end - self.words.len());
         }
         self.used_words = end;
         Ok(())
@@ -148,20 +159,22 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     ) {
         let polygon = drawing.polygon(corners, planes);
         let stride = Drawing::<C, S, P, D>::STRIDE;
-        let base = self.used_words;
-        if let Err(words) = self.reserve(polygon.len() * stride) {
+        let start = self.used_words;
+        let first = (start - drawing.base) / stride;
+        let named = if first + polygon.len() <= MAX_NAMED { Ok(()) } else { Err(polygon.len() * stride) };
+        if let Err(words) = named.and_then(|()| self.reserve(polygon.len() * stride)) {
             left_out.triangles += polygon.len().saturating_sub(2);
             left_out.words += words;
             return;
         }
-        let words = self.words.get_mut(base..).unwrap_or_default();
+        let words = self.words.get_mut(start..).unwrap_or_default();
         for (vertex, words) in polygon.iter().zip(words.chunks_mut(stride)) {
             drawing.store(words, &vertex.position, vertex.attributes);
         }
         for last in 2..polygon.len() {
-            let vertices = [0, last - 1, last].map(|place| base + place * stride);
-            let points = vertices.map(|at| {
-                let [x, y] = self.header(at);
+            let vertices = [0, last - 1, last].map(|place| first + place);
+            let points = vertices.map(|vertex| {
+                let [x, y] = self.header(drawing.word(vertex));
                 Snapped::from_bits(x.cast_signed(), y.cast_signed())
             });
             self.face(drawing, face, vertices, points, left_out);
@@ -220,6 +233,8 @@ struct Drawing<'m, 'a, C, S: Shader<'a, P>, P, D> {
     local: S::Local,
     /// Where the pixel shader is kept.
     kept: u8,
+    /// The first word of that shader's vertices.
+    base: usize,
     types: PhantomData<(&'a (), C, P, D)>,
 }
 
@@ -229,6 +244,11 @@ type Carried<'a, S, P> = <<S as Shader<'a, P>>::Pixel as PixelShader<'a, P>>::Ve
 impl<'a, C: Camera, S: Shader<'a, P>, P, D: Depth> Drawing<'_, 'a, C, S, P, D> {
     /// Words of a vertex.
     const STRIDE: usize = stride::<P, D, S::Pixel>();
+
+    /// Where a vertex of the shader starts.
+    fn word(&self, vertex: usize) -> usize {
+        self.base + vertex * Self::STRIDE
+    }
 
     /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
     fn vertices(&self, words: &mut [u32]) {

@@ -21,13 +21,13 @@ pub use storage::ListStorage;
 /// Different shaders that one list can hold. Draws with an equal one share it.
 const MAX_SHADERS: usize = 16;
 
-/// Words of vertices that a list can use: triangles name them by 16 bits.
-const MAX_WORDS: usize = 1 << 16;
+/// Vertices that the triangles of one shader can name: by 16 bits.
+const MAX_NAMED: usize = 1 << 16;
 
 /// A triangle of a list: 16 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct ListTriangle {
-    /// The first words of its vertices, in canonical order.
+    /// Its vertices in canonical order, counted from the first of its shader.
     vertices: [u16; 3],
     shader: u8,
     /// Red, green and blue of the face.
@@ -41,14 +41,15 @@ impl ListTriangle {
     pub const EMPTY: Self = Self { vertices: [0; 3], shader: 0, colour: [0; 3], rows: [0; 2] };
 }
 
-/// Draws one triangle: one such function is linked for each shader that is used.
+/// Draws one triangle, with the vertices of its shader: one such function is linked for each shader that is used.
 type DrawFn<'a, P, D> = fn(&Uniforms<'a>, &[u32], &ListTriangle, &mut Rows<'_, '_, P, D>);
 
-/// A pixel shader as the list keeps it, and the function that draws with it.
+/// A pixel shader as the list keeps it, the function that draws with it, and the first word of its vertices.
 #[derive(Clone, Copy, Debug)]
 struct Kept<'a, P, D: Depth> {
     uniforms: Uniforms<'a>,
     draw: DrawFn<'a, P, D>,
+    base: usize,
 }
 
 /// Why a mesh is not in the list, or not all of it.
@@ -61,7 +62,8 @@ pub enum DrawError {
         /// Words of vertices that were missing.
         words: usize,
     },
-    /// The list already holds its 16 different shaders; nothing of the mesh is drawn.
+    /// The list already holds its 16 different shaders, or vertices for as many times 65 536; nothing of the mesh is
+    /// drawn.
     TooManyShaders,
     /// The camera's target is too large; nothing of the mesh is drawn.
     TooLarge(Size),
@@ -130,7 +132,7 @@ pub struct DrawList<'a, P, D: Depth, T = Spans> {
 }
 
 impl<'a, P, D: Depth> DrawList<'a, P, D> {
-    /// An empty list over borrowed storage: words for vertices, of which 65 536 can be used, and triangles.
+    /// An empty list over borrowed storage: words for vertices, and triangles.
     pub const fn new(vertices: &'a mut [u32], triangles: &'a mut [ListTriangle]) -> Self {
         Self::with_traversal(vertices, triangles)
     }

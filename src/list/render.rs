@@ -30,8 +30,10 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
         for triangle in self.triangles.get(..self.used_triangles).unwrap_or_default() {
             let [first, end] = triangle.rows.map(i32::from);
             if first < rows.end && rows.start < end {
-                if let Some(kept) = self.shaders.get(usize::from(triangle.shader)) {
-                    (kept.draw)(&kept.uniforms, self.words, triangle, &mut target);
+                let kept = self.shaders.get(usize::from(triangle.shader));
+                if let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.base..)?)))
+                {
+                    (kept.draw)(&kept.uniforms, words, triangle, &mut target);
                 }
             }
         }
@@ -103,10 +105,11 @@ pub(super) const fn stride<'a, P, D: Depth, S: PixelShader<'a, P>>() -> usize {
 #[inline]
 fn vertex<'a, P, D: Depth, S: PixelShader<'a, P>>(
     words: &[u32],
-    at: u16,
+    vertex: u16,
 ) -> Option<Vertex<D::Varying, S::Vertex>> {
-    let at = usize::from(at);
-    let mut words = words.get(at..at + const { stride::<P, D, S>() })?.iter().copied();
+    let stride = const { stride::<P, D, S>() };
+    let at = usize::from(vertex) * stride;
+    let mut words = words.get(at..at + stride)?.iter().copied();
     let (x, y) = (words.next()?.cast_signed(), words.next()?.cast_signed());
     Some(Vertex {
         at: Snapped::from_bits(x, y),
