@@ -3,7 +3,14 @@
 //! The float work is additions, products and quotients, which are the same on every chip, with a processor for them
 //! or without; what `micromath` serves is a rough inverse root that three Newton steps make exact.
 
-#![expect(clippy::disallowed_types, reason = "the camera is where floats may enter")]
+#![cfg_attr(
+    not(test),
+    expect(
+        clippy::disallowed_types,
+        clippy::float_arithmetic,
+        reason = "the camera is where floats may enter"
+    )
+)]
 
 use core::ops::Range;
 

@@ -1,6 +1,6 @@
 //! Shaded, textured, depth-tested triangles for microcontroller displays.
 #![no_std]
-#![cfg_attr(test, allow(clippy::disallowed_types, reason = "unit tests compare with floats"))]
+#![cfg_attr(not(test), deny(clippy::disallowed_types, clippy::float_arithmetic))]
 
 mod math;
 

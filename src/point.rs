@@ -1,6 +1,9 @@
 //! Points of flat drawings, from floats without float arithmetic.
 
-#![expect(clippy::disallowed_types, reason = "floats may enter here; only their bits are read")]
+#![cfg_attr(
+    not(test),
+    expect(clippy::disallowed_types, reason = "floats may enter here; only their bits are read")
+)]
 
 use crate::math::format::{Coord, SUBPIXEL_BITS};
 use crate::snapped::Snapped;

@@ -39,8 +39,8 @@ fn point(ring: usize, side: usize) -> Point {
     ];
     // The normal of the torus and its companion: a frame that closes after a turn.
     let out = [short.cos() * long.cos(), short.sin(), short.cos() * long.sin()];
-    let side_way = unit(cross(along, out)).unwrap_or(out);
-    let out = unit(cross(side_way, along)).unwrap_or(out);
+    let side_way = unit(cross(out, along)).unwrap_or(out);
+    let out = unit(cross(along, side_way)).unwrap_or(out);
     let (sin, cos) = around.sin_cos();
     let mix = |a: f64, b: f64| std::array::from_fn(|axis| out[axis] * a + side_way[axis] * b);
     let spoke: [f64; 3] = mix(cos, sin);
