@@ -18,14 +18,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A cube is convex: leaving out the faces that look away is all the hiding that it needs.
     let (mut vertices, mut triangles) = ([0; 6 * 24], [ListTriangle::EMPTY; 12]);
     let mut list = DrawList::new(&mut vertices, &mut triangles);
-    list.draw(&camera, &CUBE, &Pose::new(), &shader).map_err(|error| format!("{error:?}"))?;
+    list.draw(&camera, &CUBE, &Pose::new(), &shader)?;
 
     // What a DMA channel would send: 16 bits a pixel.
     let mut frame = [0_u16; 240 * 240];
-    let mut strip = Strip::new(240, &mut frame).map_err(|error| format!("{error:?}"))?;
+    let mut strip = Strip::new(240, &mut frame)?;
     strip.clear();
     list.render(0..240, &mut strip);
 
+    std::fs::create_dir_all("target")?;
     let path = "target/frame.png";
     let picture = image::RgbImage::from_fn(240, 240, |x, y| {
         let [r, g, b] = frame[(y * 240 + x) as usize].channels();

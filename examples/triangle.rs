@@ -25,6 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     ShadedTriangle::textured([a, b, d], [ta, tb, td], &TEST_CARD).draw(&mut display)?;
     ShadedTriangle::textured([b, c, d], [tb, tc, td], &TEST_CARD).draw(&mut display)?;
 
+    std::fs::create_dir_all("target")?;
     let path = "target/triangle.png";
     let settings = OutputSettingsBuilder::new().scale(2).build();
     display.to_rgb_output_image(&settings).save_png(path)?;

@@ -107,6 +107,24 @@ impl From<TextureError> for BlobError {
     }
 }
 
+impl core::fmt::Display for BlobError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::BadMagic(magic) => write!(f, "the bytes start with {magic:?}"),
+            Self::Version(version) => write!(f, "version {version} of the format, {VERSION} can be read"),
+            Self::Attributes(attributes) => write!(f, "unknown attributes {attributes:#x}"),
+            Self::Wrap(wrap) => write!(f, "{wrap} is neither repeat nor clamp"),
+            Self::Truncated { needed, given } => write!(f, "{given} bytes, {needed} needed"),
+            Self::Misaligned => write!(f, "the bytes do not start at an even address"),
+            Self::BigEndian => write!(f, "the data is little-endian, and the processor is not"),
+            Self::Mesh(error) => error.fmt(f),
+            Self::Texture(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for BlobError {}
+
 impl<'a> Mesh<'a> {
     /// Reads a mesh in place from the blob that `meshpack` wrote. Nothing is copied.
     ///

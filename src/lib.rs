@@ -1,12 +1,100 @@
-//! Shaded, textured, depth-tested triangles for microcontroller displays.
+//! Shaded, textured, depth-tested triangles for microcontroller displays: integers only, every pixel exactly once, the
+//! same bytes on every chip. No `std`, no allocation, no `unsafe`.
+//!
+//! # Three ways to draw
+//!
+//! One triangle on any embedded-graphics display, with no buffer at all:
+//!
+//! ```
+//! use embedded_graphics::mock_display::MockDisplay;
+//! use embedded_graphics::pixelcolor::Rgb565;
+//! use embedded_graphics::prelude::*;
+//! use topleft::{ShadedTriangle, point};
+//!
+//! # let mut display = MockDisplay::<Rgb565>::new();
+//! ShadedTriangle::new(
+//!     [point(2.0, 1.25), point(60.25, 9.0), point(20.0, 50.5)],
+//!     [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE],
+//! )
+//! .draw(&mut display)?;
+//! # assert_eq!(display.affected_area().bottom_right(), Some(Point::new(59, 49)));
+//! # Ok::<(), core::convert::Infallible>(())
+//! ```
+//!
+//! A mesh, with depth, through strips of 16 rows. The vertex work is done once a frame, in [`DrawList::draw`]:
+//!
+//! ```
+//! use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+//! use embedded_graphics::prelude::*;
+//! use topleft::{Gouraud, Length, ListStorage, Material, Perspective, Pose, Strip, Sun, Turn};
+//! # use scenes::mesh::TEAPOT;
+//! # let mut display = embedded_graphics_simulator::SimulatorDisplay::<Rgb565>::new(Size::new(240, 240));
+//!
+//! let camera = Perspective::new(Size::new(240, 240), Turn::from_degrees(50), 0.5..6.0)
+//!     .look_at([0.0, 1.0, 2.2], [0.0; 3]);
+//! let sun = Sun::new([Length::lit("-0.5"), Length::ONE, Length::ONE]);
+//! let brass = Material::from(Rgb888::new(0xE0, 0xA8, 0x50));
+//! let pose = Pose::new().turned_y(Turn::from_degrees(30));
+//!
+//! let mut storage: ListStorage<3048, 900> = ListStorage::new(); // words for vertices, and triangles
+//! let (mut colours, mut depths) = ([Rgb565::BLACK; 240 * 16], [0; 240 * 16]);
+//! let mut strip = Strip::new(240, &mut colours)?.with_depth(&mut depths)?;
+//!
+//! let mut list = storage.list();
+//! list.draw(&camera, &TEAPOT, &pose, &Gouraud::new(&sun, &brass))?; // Err(Full { .. }) says what did not fit
+//! list.present(&mut strip, &mut display)?; // one fill_contiguous a strip
+//! # assert_eq!(list.stats().faces, 1200);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! The same list into a whole frame is `list.render(0..240, &mut frame)`, with a strip as tall as the target. Rendering
+//! changes nothing in the list, so two cores can render different rows of it.
+//!
+//! # The way of the data
+//!
+//! ```text
+//! mesh --Face--> transform --Position--> clip --ClipVertex--> setup --Setup--> raster --Span--> depth --Run--> shade --colours--> target
+//! ```
+//!
+//! # Promises
+//!
+//! 1. **Watertight.** At the snapped, clipped vertices coverage is the exact answer, and a pixel centre on a shared edge
+//!    belongs to exactly one triangle: no cracks and no double hits, whatever the triangles, the strips or the traversal.
+//!    (`tests/coverage`)
+//! 2. **The same everywhere.** The same scene gives the same bytes, whole frame or in strips, whichever vertex a
+//!    triangle starts with. (`tests/same_bytes.rs`)
+//! 3. **A stated error.** A value with 16 fraction bits, n columns and m rows from its triangle's first vertex, is off by
+//!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
+//!    [`PerPixel`] by at most `U 2^-13 + 2^-8` on a texture of U texels, up to a ratio of w of 64.
+//!    (`tests/against_reference.rs`)
+//! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
+//!    not fit is handed back to the caller. (`tests/any_input.rs`)
+//! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
+//!    without them has no buffer, no cycle and no code for them.
+//!
+//! # Conventions
+//!
+//! * Scenes are right-handed with y up, and a camera looks along its own -z. Lengths are in the scene's own unit.
+//! * Clip space has x and y in [-w, w], and z from 0 at the near plane to w at the far one.
+//! * Screen x grows to the right and y down, and pixel centres lie at .5. Vertices are snapped to 1/256 px, rounded to
+//!   nearest, before anything else is computed from them.
+//! * A pixel is covered where its centre is inside a triangle, or on a top or left edge of it.
+//! * Front faces are counter-clockwise as the viewer sees them, as in OBJ files.
+//! * Depth is a `u16`, linear on the screen: 0 is cleared, greater is nearer, and of two that are equal the earlier stays.
+//! * Texture coordinates start at the top left corner of the texture, and v grows down.
+//! * Colours and light are computed in code values: no gamma.
+//!
+//! # Not there
+//!
+//! Mip levels, filtering, blending, edge anti-aliasing, normal maps, lines and points.
 #![no_std]
 #![cfg_attr(not(test), deny(clippy::disallowed_types, clippy::float_arithmetic))]
 
 mod math;
 
 mod mesh;
-mod blob;
 mod texture;
+mod blob;
 
 mod viewport;
 mod pose;
@@ -50,7 +138,7 @@ pub use texture::{MAX_TEXTURE_SIZE, Texture, TextureError, Wrap};
 pub use triangle::ShadedTriangle;
 pub use viewport::{TooLarge, Viewport};
 
-/// The stages themselves, for shaders of your own and for tests.
+/// The stages themselves, for shaders, cameras and traversals of your own, and for tests.
 pub mod stages {
     pub use crate::attributes::{Attributes, Fraction, Words};
     pub use crate::gradients::{Gradients, Plane};
@@ -61,3 +149,7 @@ pub mod stages {
     pub use crate::transform::PerVertexInverse;
     pub use crate::varying::Varying;
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

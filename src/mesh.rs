@@ -62,6 +62,30 @@ pub enum MeshError {
     UvExponent(u8),
 }
 
+impl core::fmt::Display for MeshError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::TooManyVertices(count) => {
+                write!(f, "{count} vertices, and at most {MAX_VERTICES} can be named")
+            }
+            Self::IndexOutOfRange { face, index } => {
+                write!(f, "face {face} names vertex {index}, which is not there")
+            }
+            Self::LengthMismatch { given, needed } => {
+                write!(f, "{given} entries of an attribute, {needed} needed")
+            }
+            Self::UvExponent(exponent) => {
+                write!(
+                    f,
+                    "an exponent of {exponent} for texture coordinates, at most {MAX_UV_EXPONENT} allowed"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for MeshError {}
+
 impl<'a> Mesh<'a> {
     /// A mesh of `positions` and of `faces` that name them, in the cube from -1 to 1 round the origin.
     ///

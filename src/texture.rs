@@ -50,6 +50,17 @@ pub enum TextureError {
     },
 }
 
+impl core::fmt::Display for TextureError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Size(size) => write!(f, "a size of {size}, not a power of two up to {MAX_TEXTURE_SIZE}"),
+            Self::LengthMismatch { given, needed } => write!(f, "{given} texels, {needed} needed"),
+        }
+    }
+}
+
+impl core::error::Error for TextureError {}
+
 impl<'a> Texture<'a> {
     /// One white texel.
     pub const WHITE: Self = Self { texels: &[0xFFFF], width_log2: 0, height_log2: 0, wrap: Wrap::Repeat };

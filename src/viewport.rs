@@ -38,6 +38,15 @@ pub struct Viewport {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLarge(pub Size);
 
+impl core::fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self(Size { width, height }) = self;
+        write!(f, "a target of {width}x{height} pixels is too large")
+    }
+}
+
+impl core::error::Error for TooLarge {}
+
 impl Viewport {
     /// The viewport of a target of `size` pixels. It may be empty.
     ///

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::SimulatorDisplay;
 use scenes::{Scene, View};
 use topleft::stages::Traversal;
-use topleft::{Depth16, DrawError, DrawList, ListTriangle, Pixel, Spans, Stats, Strip};
+use topleft::{Depth16, DrawList, ListTriangle, Pixel, Spans, Stats, Strip};
 
 /// Words of a vertex with everything: position, depth, 1/w, texel and light.
 const WORDS_A_VERTEX: usize = 7;
@@ -63,12 +63,12 @@ impl<'s> Stage<'s> {
         let start = Instant::now();
         let mut list: DrawList<'_, Rgb565, Depth16, Spans> =
             DrawList::with_traversal(&mut self.words, &mut self.triangles);
-        self.scene.draw(&mut list, self.size, view).map_err(not_drawn)?;
+        self.scene.draw(&mut list, self.size, view).map_err(|error| error.to_string())?;
         let vertices = start.elapsed();
         let start = Instant::now();
         let mut strip = Strip::new(self.size.width as u16, &mut self.colours)
             .and_then(|strip| strip.with_depth(&mut self.depths))
-            .map_err(|error| format!("{error:?}"))?
+            .map_err(|error| error.to_string())?
             .with_background(Rgb565::from_rgb(self.scene.background));
         let Ok(()) = list.present(&mut strip, display);
         Ok(Took { stats: list.stats(), vertices, pixels: start.elapsed() })
@@ -78,25 +78,15 @@ impl<'s> Stage<'s> {
     pub(crate) fn trace<T: Traversal>(&mut self, view: &View) -> Result<(), String> {
         let mut list: DrawList<'_, Rgb565, Depth16, T> =
             DrawList::with_traversal(&mut self.words, &mut self.triangles);
-        self.scene.draw(&mut list, self.size, view).map_err(not_drawn)?;
+        self.scene.draw(&mut list, self.size, view).map_err(|error| error.to_string())?;
         let mut strip = Strip::new(self.size.width as u16, &mut self.colours)
             .and_then(|strip| strip.with_depth(&mut self.depths))
-            .map_err(|error| format!("{error:?}"))?;
+            .map_err(|error| error.to_string())?;
         let rows = i32::from(strip.height());
         for top in (0..self.size.height as i32).step_by(rows as usize) {
             strip.clear();
             list.render(top..top + rows, &mut strip);
         }
         Ok(())
-    }
-}
-
-fn not_drawn(error: DrawError) -> String {
-    match error {
-        DrawError::Full { triangles, words } => {
-            format!("the list is too small: {triangles} triangles and {words} words did not fit")
-        }
-        DrawError::TooManyShaders => "the scene has more than 16 shaders".into(),
-        DrawError::TooLarge(size) => format!("{}x{} is too large", size.width, size.height),
     }
 }

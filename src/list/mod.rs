@@ -75,6 +75,20 @@ impl From<TooLarge> for DrawError {
     }
 }
 
+impl core::fmt::Display for DrawError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Full { triangles, words } => {
+                write!(f, "the list is full: {triangles} triangles did not fit, {words} words were missing")
+            }
+            Self::TooManyShaders => write!(f, "the list holds {MAX_SHADERS} different shaders already"),
+            Self::TooLarge(size) => TooLarge(*size).fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for DrawError {}
+
 /// What became of the faces that were drawn into a list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {

@@ -18,7 +18,7 @@ const TABLE: [u16; 65] = {
     let mut i = 0;
     while i < table.len() {
         let denominator = 64 + i as u32;
-        table[i] = (((64 << 17) / denominator + 1) / 2 - 32_768) as u16;
+        table[i] = (((64 << 17) / denominator).div_ceil(2) - 32_768) as u16;
         i += 1;
     }
     table
@@ -61,7 +61,7 @@ pub(crate) fn vertex(w: u32) -> Reciprocal {
     let seed = seed(normalised);
     // Newton: r' = r (2 - x r), with x r in 47 fraction bits.
     let complement = ((2 << 47) - u64::from(normalised) * u64::from(seed)) >> 16;
-    Reciprocal { mantissa: (u64::from(seed) * complement >> 16) as u32, shift }
+    Reciprocal { mantissa: ((u64::from(seed) * complement) >> 16) as u32, shift }
 }
 
 /// `2^62 / (a << shift)` to the last bit or two, of the doubled area's 32 leading bits. A zero counts as one.

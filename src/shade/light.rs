@@ -74,9 +74,9 @@ impl LocalSun {
         let [x, y, z] = normal.map(i32::from);
         let [dx, dy, dz] = self.direction;
         // 15 fraction bits times 127: below 2^23.8. Divided by 127 in the next product: 2^16 / 127 = 516.03.
-        let cosine = ((x * dx + y * dy + z * dz) >> 7).max(0) * 516 >> 9;
+        let cosine = (((x * dx + y * dy + z * dz) >> 7).max(0) * 516) >> 9;
         // 15 fraction bits now, at most 1.74 for a normal that is too long.
-        let light = (self.ambient << 8) + (self.diffuse * cosine >> 7);
+        let light = (self.ambient << 8) + ((self.diffuse * cosine) >> 7);
         light.min(FULL).unsigned_abs()
     }
 

@@ -51,6 +51,15 @@ pub enum StripError {
     },
 }
 
+impl core::fmt::Display for StripError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self::Short { given, needed } = self;
+        write!(f, "{given} cells for a strip, {needed} needed")
+    }
+}
+
+impl core::error::Error for StripError {}
+
 impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
     /// A strip of as many whole rows of `width` pixels as there are colours for, without depth, with a black
     /// background. It starts at the frame's first row. The colours keep what they show until it is cleared.

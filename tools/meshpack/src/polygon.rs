@@ -70,8 +70,18 @@ mod tests {
     fn an_arrow_and_a_comb_are_covered_once() {
         let arrow = flat(&[[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [1.0, 1.0]]);
         let comb = flat(&[
-            [0.0, 0.0], [5.0, 0.0], [5.0, 2.0], [4.0, 2.0], [4.0, 1.0], [3.0, 1.0],
-            [3.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0],
+            [0.0, 0.0],
+            [5.0, 0.0],
+            [5.0, 2.0],
+            [4.0, 2.0],
+            [4.0, 1.0],
+            [3.0, 1.0],
+            [3.0, 2.0],
+            [2.0, 2.0],
+            [2.0, 1.0],
+            [1.0, 1.0],
+            [1.0, 2.0],
+            [0.0, 2.0],
         ]);
         for (polygon, expected) in [(arrow, 1.0), (comb, 8.0)] {
             let triangles = split_dented(&polygon).unwrap();
@@ -86,6 +96,9 @@ mod tests {
     fn a_polygon_that_crosses_itself_ends() {
         let bow = flat(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0], [0.5, 3.0]]);
         assert!(split_dented(&bow).is_none_or(|triangles| triangles.len() == 3));
-        assert!(split_dented(&flat(&[[f64::MAX, 0.0], [0.0, f64::MAX], [-1.0, 0.0], [0.0, 0.0]])).is_none_or(|t| t.len() == 2));
+        assert!(
+            split_dented(&flat(&[[f64::MAX, 0.0], [0.0, f64::MAX], [-1.0, 0.0], [0.0, 0.0]]))
+                .is_none_or(|t| t.len() == 2)
+        );
     }
 }

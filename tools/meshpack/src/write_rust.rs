@@ -8,9 +8,6 @@ use topleft::Wrap;
 /// Columns of a line of numbers.
 const WIDTH: usize = 110;
 
-/// Faces or vertices above which the compiler would take the checks for an endless loop.
-const MANY: usize = 20_000;
-
 impl Packed {
     /// A Rust file with `pub const NAME: Mesh<'static>` and the arrays that it borrows.
     ///
@@ -23,9 +20,6 @@ impl Packed {
             self.faces.len(),
             self.bytes()
         );
-        if self.positions.len().max(self.faces.len()) > MANY {
-            file += "#[expect(long_running_const_eval, reason = \"every index is checked\")]\n";
-        }
         let calls = self.calls();
         let (last, first) = calls.split_last().map_or(("mesh", &[][..]), |(last, first)| (last, first));
         put(&mut file, format_args!("pub const {name}: Mesh<'static> = {{"));

@@ -1,0 +1,19 @@
+//! The library against the `f64` and `i128` reference, stage by stage and scene by scene.
+//!
+//! What may differ is in `support/tolerance.rs`, derived; each test prints its worst case beside the bound
+//! (`cargo test --test against_reference -- --nocapture`).
+#![allow(clippy::disallowed_types, reason = "the reference computes with floats")]
+
+#[path = "../support/tolerance.rs"]
+mod tolerance;
+
+mod random;
+mod probe;
+
+mod numbers;
+mod light;
+mod texture;
+mod interpolation;
+mod depth;
+mod texels;
+mod frames;

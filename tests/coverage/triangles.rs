@@ -1,0 +1,119 @@
+//! Spans of single triangles, row by row, against the crossings of edges in 128-bit integers.
+
+use std::cell::Cell;
+
+use reference::raster::row_span;
+use reference::setup::{Triangle, area2};
+use topleft::stages::{Span, Traversal, Window};
+use topleft::{BoxWalk, Spans};
+
+use crate::support::check;
+use crate::support::strategies::{Case, guard_sized, near_ties, slivers};
+use crate::winding::setup;
+
+/// Compares the spans of one traversal with those of the reference, and gives back the pixels in them.
+fn compare<T: Traversal>(triangle: Triangle, window: &Window, expected: &[Span]) -> Result<(), String> {
+    let Some(setup) = setup(triangle) else {
+        return if area2(triangle) == 0 { Ok(()) } else { Err("a triangle with an area is left out".into()) };
+    };
+    let mut rest = expected.iter();
+    T::walk(&setup, window, |span| match rest.next() {
+        Some(&right) if right == span => Ok(()),
+        right => Err(format!("{} has {span:?} instead of {right:?}", std::any::type_name::<T>())),
+    })?;
+    match rest.next() {
+        None => Ok(()),
+        Some(span) => Err(format!("{} misses {span:?}", std::any::type_name::<T>())),
+    }
+}
+
+/// The exact spans of a triangle inside a window.
+fn expected(triangle: Triangle, window: &Window) -> Vec<Span> {
+    if area2(triangle) == 0 {
+        return Vec::new();
+    }
+    let span = |y: i32| {
+        let (start, end) = row_span(triangle, i64::from(y))?;
+        let start = start.max(i64::from(window.columns.start)) as i32;
+        let end = end.min(i64::from(window.columns.end)) as i32;
+        (start < end).then_some(Span { y, start, end })
+    };
+    window.rows.clone().filter_map(span).collect()
+}
+
+fn agree(cases: u32, strategy: &impl proptest::strategy::Strategy<Value = Case>) {
+    let (visible, pixels) = (Cell::new(0_u64), Cell::new(0_u64));
+    check(cases, strategy, |Case { triangle, window }| {
+        let spans = expected(triangle, &window);
+        visible.set(visible.get() + u64::from(!spans.is_empty()));
+        pixels.set(pixels.get() + spans.iter().map(|span| (span.end - span.start) as u64).sum::<u64>());
+        compare::<Spans>(triangle, &window, &spans)?;
+        compare::<BoxWalk>(triangle, &window, &spans)
+    });
+    println!("{cases} triangles, {} of them seen, {} pixels", visible.get(), pixels.get());
+    assert!(visible.get() * 4 > u64::from(cases), "most of the triangles are not seen in their windows");
+}
+
+// Red when `Edge::skip`, or the rounding up in `Edge::new`, of src/raster/spans.rs is off by one for ties.
+#[test]
+fn near_ties_are_exact() {
+    agree(300_000, &near_ties(12, 12));
+}
+
+// Red when `top_left` in src/raster/box_walk.rs takes one of its edges the other way.
+#[test]
+fn middle_sized_triangles_are_exact() {
+    agree(150_000, &near_ties(60, 40));
+}
+
+// Red when `floor_divide` in src/raster/spans.rs rounds towards zero.
+#[test]
+fn slivers_are_exact() {
+    agree(300_000, &slivers(48, 48));
+}
+
+// Red when `EdgeFunction::new` keeps all 8 fraction bits in its `i32`, or `skip` multiplies in fewer than 32 bits.
+#[test]
+fn guard_sized_triangles_are_exact() {
+    agree(300_000, &guard_sized());
+}
+
+// Red when `Edge::step` in src/raster/spans.rs loses a remainder once in thousands of rows.
+#[test]
+fn whole_guard_sized_triangles_are_exact() {
+    let rows = Cell::new(0);
+    check(300, &guard_sized(), |Case { triangle, .. }| {
+        let window = Window { columns: -2048..10_240, rows: -2048..6144 };
+        let spans = expected(triangle, &window);
+        rows.set(rows.get() + spans.len());
+        compare::<Spans>(triangle, &window, &spans)
+    });
+    println!("{} rows", rows.get());
+}
+
+// Red when `first_centre` in src/snapped.rs rounds a coordinate on a centre the other way.
+#[test]
+fn all_triangles_of_a_half_pixel_lattice_are_exact() {
+    let lattice: Vec<[i32; 2]> = (0..81).map(|i| [i % 9 * 128, i / 9 * 128]).collect();
+    let mut count = 0;
+    // On the screen, and where the first columns and rows are left of it and above it.
+    for offset in [0, -192] {
+        let window = Window { columns: 0..5, rows: 0..5 };
+        let at = |i: usize| lattice[i].map(|c| c + offset);
+        for a in 0..81 {
+            for b in a..81 {
+                for c in b..81 {
+                    let [a, b, c] = [a, b, c].map(at);
+                    let spans = expected([a, b, c], &window);
+                    for triangle in [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
+                        count += 1;
+                        compare::<Spans>(triangle, &window, &spans)
+                            .and_then(|()| compare::<BoxWalk>(triangle, &window, &spans))
+                            .unwrap_or_else(|error| panic!("{triangle:?}: {error}"));
+                    }
+                }
+            }
+        }
+    }
+    println!("{count} triangles");
+}

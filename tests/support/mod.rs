@@ -1,0 +1,46 @@
+//! What several test binaries share: counters, inputs biased to where methods fail, and a runner with fixed seeds.
+#![allow(dead_code, unused_imports, reason = "each test binary uses a part of it")]
+
+pub(crate) mod counter;
+pub(crate) mod strategies;
+
+use std::fmt::Debug;
+
+use proptest::strategy::Strategy;
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+
+/// Runs `test` on `cases` values, the same ones every time, and panics with the smallest value that it finds to fail.
+#[track_caller]
+pub(crate) fn check<S: Strategy>(cases: u32, strategy: &S, test: impl Fn(S::Value) -> Result<(), String>)
+where
+    S::Value: Debug,
+{
+    let config = Config { cases, failure_persistence: None, max_shrink_iters: 10_000, ..Config::default() };
+    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    let result =
+        TestRunner::new_with_rng(config, rng).run(strategy, |value| test(value).map_err(TestCaseError::fail));
+    if let Err(error) = result {
+        panic!("{error}");
+    }
+}
+
+/// Nothing where both are equal; else their first difference, as the pixel of a frame `width` pixels wide.
+pub(crate) fn same<T: PartialEq + Debug>(
+    what: &str,
+    width: usize,
+    got: &[T],
+    expected: &[T],
+) -> Result<(), String> {
+    if got.len() != expected.len() {
+        return Err(format!("{what}: {} pixels instead of {}", got.len(), expected.len()));
+    }
+    match got.iter().zip(expected).position(|(a, b)| a != b) {
+        None => Ok(()),
+        Some(i) => {
+            let (x, y) = (i % width.max(1), i / width.max(1));
+            let differing = got.iter().zip(expected).filter(|(a, b)| a != b).count();
+            let (a, b) = (&got[i], &expected[i]);
+            Err(format!("{what}: {a:?} instead of {b:?} at column {x}, row {y}; {differing} pixels differ"))
+        }
+    }
+}

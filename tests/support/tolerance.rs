@@ -1,0 +1,90 @@
+//! Every error that the tests allow, with where it comes from. Nothing here was read off a result.
+//!
+//! Steps are of the format named; a screen step is 1/256 px. `half(n)` is 2^-n.
+
+/// 2^-n.
+pub(crate) const fn half(n: u32) -> f64 {
+    1.0 / (1_u64 << n) as f64
+}
+
+// Interpolation. A gradient is rounded to half a step, so n columns and m rows from the anchor are off by (n + m) / 2;
+// the start adds half a step for its own rounding and at most half for the gradients' over half a pixel each way. The
+// reciprocal of the area is right to 2^-30 and scales the plane about its first vertex: 2^-30 of the difference D.
+
+/// Of a plane with `bits` fraction bits, `steps` = n + m pixels from its anchor, over vertices that differ by `range`.
+pub(crate) fn interpolation(bits: u32, steps: u64, range: f64) -> f64 {
+    (steps + 2) as f64 * half(bits + 1) + range * half(30)
+}
+
+/// The same as design.md 4 has it: the slope over the triangle's box counts as well.
+pub(crate) fn interpolation_by_design(bits: u32, steps: u64, range: f64, over_the_box: f64) -> f64 {
+    (steps + 2) as f64 * half(bits + 1) + (range + over_the_box) * half(30)
+}
+
+/// The least share of its bound that the worst of some thousand triangles must reach, or the test is not a hard one:
+/// rounding errors are uniform, and one in eight pairs of them has both above a half with one sign.
+pub(crate) const REACHED: f64 = 0.5;
+
+// Texels, per pixel. In units of the triangle's box of texels, U.
+
+/// Of a reciprocal: the chord, 2^-14, and the rounding of table and interpolation, 2^-15 at least; then u / w loses up
+/// to a step of its 17 bits times a reciprocal of 16: 2^-15.
+pub(crate) const RECIPROCAL_HIGH: f64 = half(14) + half(15);
+/// See [`RECIPROCAL_HIGH`]: a value is never above by more, nor below by more than this.
+pub(crate) const RECIPROCAL_LOW: f64 = half(15) + half(15);
+/// 1/w of a vertex: a mantissa of 26 bits, rounded down, of a reciprocal that is right to 2^-27.9.
+pub(crate) const VERTEX_INVERSE: f64 = half(25) + half(27);
+/// u/w at a vertex: its part of the box and the product are each rounded down to 2^-31; and 1/w once more.
+pub(crate) const OVER_W: f64 = 3.0 * half(31);
+
+/// A texel of a box of one unit, where the triangle's 1/w is `q` of the power of two above its largest.
+pub(crate) fn per_pixel(steps: u64, q: f64) -> f64 {
+    // Both u/w and 1/w are interpolated, over at most 1; their errors are divided by 1/w.
+    let carried = 2.0 * interpolation(31, steps, 1.0) + OVER_W;
+    carried / (q - carried) + VERTEX_INVERSE + RECIPROCAL_HIGH.max(RECIPROCAL_LOW)
+}
+
+/// What the issue asks of a texture of 256 texels at a w ratio of 64.
+pub(crate) const SIXTEENTH: f64 = 1.0 / 16.0;
+
+// Depth, in codes. 65528 of them between the planes.
+
+/// A vertex: 1/w is right to 2^-27.9 = 1.07 2^-28, and 1 - z/w, the margin and the end of its range are each rounded
+/// down by a step of 2^-16.
+pub(crate) const DEPTH_VERTEX: f64 = 65_528.0 * 1.08 * half(28) + 3.0 * half(16);
+
+// The transform.
+
+/// Of a clip coordinate, as a share of the largest camera element times the largest of the pose: the product is rounded
+/// at 2^-30 of both for four columns, and the pose before it likewise (9 * 2^-30 with its own); x and y lose one step in
+/// units of the reach, the coordinate three of 2^-29, and a clipped vertex three more.
+pub(crate) const CLIP: f64 = 9.0 * half(30) + 7.0 * half(29);
+
+/// What 1/w (2^-27.9) does to a place in the guard rectangle, at most 1024 + 512 px from the centre: in screen steps.
+pub(crate) const PERSPECTIVE_DIVIDE: f64 = 1536.0 * 256.0 * 1.08 * half(28);
+
+/// Of a vertex on the screen in steps: `clip` is the error of x, y (in units of the reach, pixels) and w.
+pub(crate) fn vertex_on_screen(clip: f64, w: f64, reach: f64, from_centre: f64) -> f64 {
+    256.0 * (reach + from_centre) * clip / w + PERSPECTIVE_DIVIDE
+}
+
+// Light, in codes of 255 for full diffuse light.
+
+/// Of a cosine: the direction is rounded down to 2^-15 on three axes (times at most 1.74 together for a unit normal,
+/// 3.03 for the longest), the sum to 2^-15 and the quotient by 127 to 2^-15 and 2^-14 of a value up to 1.74.
+pub(crate) const COSINE: f64 = 3.03 * half(15) + 2.0 * half(15) + 1.74 * half(14);
+/// Of light: the cosine, and a step of 8 fraction bits.
+pub(crate) const LIGHT: f64 = 255.0 * COSINE + half(8);
+/// Of a lit colour of 8 bits: the light, and rounding to nearest.
+pub(crate) const LIT: f64 = LIGHT + 0.5;
+/// A normal that is rounded to 127 steps: half a step on three axes, times a direction whose parts add up to sqrt 3.
+pub(crate) const PLANE_NORMAL: f64 = 255.0 * 1.733 * 0.5 / 127.0;
+/// Light in 64 steps: the light itself; 257/4 for 256 * 64 / 255, 2^-16 short, and a step of 2^-16.
+pub(crate) const LIGHT_STEPS: f64 = LIGHT * 64.0 / 255.0 + 64.0 * half(16) + half(16);
+
+// Cameras and angles.
+
+/// A sine: 15 bits rounded to nearest, 2^-16, and the chord `(pi / 512)^2 / 8` = 2^-17.7 below the arc.
+pub(crate) const SINE: f64 = half(16) + 4.71e-6;
+/// A float of the camera: the unit vector is right to 2^-22, and a product or sum of three adds some 2^-24.
+pub(crate) const CAMERA: f64 = half(21);
