@@ -51,48 +51,28 @@ impl Pose {
 
     /// Turns about the scene's x axis, from y towards z.
     #[must_use]
-    pub fn turned_x(self, turn: Turn) -> Self {
-        self.turned(turn, |[x, y, z], mix| {
-            let (y, z) = mix(y, z);
-            [x, y, z]
-        })
+    pub fn turned_x(mut self, turn: Turn) -> Self {
+        let [x, y, z] = self.rotation;
+        let (y, z) = rotated(turn, y, z);
+        self.rotation = [x, y, z];
+        self
     }
 
     /// Turns about the scene's y axis, from z towards x.
     #[must_use]
-    pub fn turned_y(self, turn: Turn) -> Self {
-        self.turned(turn, |[x, y, z], mix| {
-            let (z, x) = mix(z, x);
-            [x, y, z]
-        })
+    pub fn turned_y(mut self, turn: Turn) -> Self {
+        let [x, y, z] = self.rotation;
+        let (z, x) = rotated(turn, z, x);
+        self.rotation = [x, y, z];
+        self
     }
 
     /// Turns about the scene's z axis, from x towards y.
     #[must_use]
-    pub fn turned_z(self, turn: Turn) -> Self {
-        self.turned(turn, |[x, y, z], mix| {
-            let (x, y) = mix(x, y);
-            [x, y, z]
-        })
-    }
-
-    /// Rotates two of the rotation's rows into each other.
-    fn turned(
-        mut self,
-        turn: Turn,
-        rows: impl FnOnce(Rows, &dyn Fn(Row, Row) -> (Row, Row)) -> Rows,
-    ) -> Self {
-        let (sin, cos) = (i64::from(turn.sin()), i64::from(turn.cos()));
-        let sum = |a: i64, b: i64| I2F30::from_bits(((a + b + (1 << 29)) >> 30) as i32);
-        let mix = |from: Row, to: Row| {
-            let [a, b] = [from, to].map(|row| row.map(|c| i64::from(c.to_bits())));
-            let [a0, a1, a2] = a;
-            let [b0, b1, b2] = b;
-            let [p, q] = [(cos, -sin), (sin, cos)]
-                .map(|(u, v)| [sum(u * a0, v * b0), sum(u * a1, v * b1), sum(u * a2, v * b2)]);
-            (p, q)
-        };
-        self.rotation = rows(self.rotation, &mix);
+    pub fn turned_z(mut self, turn: Turn) -> Self {
+        let [x, y, z] = self.rotation;
+        let (x, y) = rotated(turn, x, y);
+        self.rotation = [x, y, z];
         self
     }
 
@@ -134,7 +114,18 @@ impl Pose {
 const LIMIT: i64 = 1 << 60;
 
 type Row = [I2F30; 3];
-type Rows = [Row; 3];
+
+/// Two rows of a rotation, turned from the first towards the second; rounded to nearest.
+fn rotated(turn: Turn, from: Row, to: Row) -> (Row, Row) {
+    let (sin, cos) = (i64::from(turn.sin()), i64::from(turn.cos()));
+    let mix = |u: i64, v: i64| {
+        let [a0, a1, a2] = from.map(|c| i64::from(c.to_bits()) * u);
+        let [b0, b1, b2] = to.map(|c| i64::from(c.to_bits()) * v);
+        let sum = |a: i64, b: i64| I2F30::from_bits(((a + b + (1 << 29)) >> 30) as i32);
+        [sum(a0, b0), sum(a1, b1), sum(a2, b2)]
+    };
+    (mix(cos, -sin), mix(sin, cos))
+}
 
 fn dot([a, b, c]: Row, [x, y, z]: [Length; 3]) -> Length {
     let product = |r: I2F30, v: Length| i128::from(r.to_bits()) * i128::from(v.to_bits());

@@ -61,8 +61,8 @@ impl Setup {
 
     /// The triangle of three vertices in any order, and where in that order each of its own vertices stood.
     ///
-    /// Nothing where the vertices have no area, or are further apart than the largest guard rectangle: 2^23 px^2, 8191
-    /// columns or 4095 rows.
+    /// Nothing where the vertices have no area, are further apart than the largest guard rectangle (2^23 px^2, 8191
+    /// columns or 4095 rows), or lie beyond ±2^22 px.
     ///
     /// ```
     /// use topleft::stages::{Setup, Snapped};

@@ -1,1 +1,122 @@
+//! The depth buffer after the whole path, against the exact plane at the same snapped vertices.
 
+use embedded_graphics_core::geometry::Size;
+use reference::depth::code;
+use reference::raster::covers;
+use reference::setup::{Triangle, area2};
+use reference::transform::depth;
+use reference::varying::linear;
+use scenes::{SCENES, Shade, View};
+use topleft::{Camera, Cull, Depth16, DrawList, Flat, ListTriangle, Material, Mesh, Pose, Strip, Turn};
+
+use crate::probe::{SIZE, exact_camera, exact_perspective, range, snapped, w_of};
+use crate::random::Random;
+use crate::tolerance::{DEPTH_VERTEX, interpolation};
+
+/// What a camera of the probe makes of a position: its place on the screen and its depth in codes.
+type Projected = fn([i16; 3]) -> Option<([i32; 2], f64)>;
+
+fn level(position: [i16; 3]) -> Option<([i32; 2], f64)> {
+    let z = 0.5 + f64::from(position[2]) / 65_536.0;
+    Some((snapped(position, 1.0)?, depth([0.0, 0.0, z, 1.0])))
+}
+
+fn with_perspective(position: [i16; 3]) -> Option<([i32; 2], f64)> {
+    let w = w_of(position);
+    Some((snapped(position, w)?, depth([0.0, 0.0, w - 1.0 / 64.0, w])))
+}
+
+/// The codes of single triangles; the worst excess over the exact plane, as a share of the bound, and how many of all
+/// codes are not the plane's own.
+fn codes<C: Camera>(camera: &C, projected: Projected, seed: u64) -> (u64, u64) {
+    let mut random = Random::new(seed);
+    let (mut compared, mut other) = (0_u64, 0_u64);
+    let (mut cells, mut depths) = (vec![0_u16; (SIZE * SIZE) as usize], vec![0_u16; (SIZE * SIZE) as usize]);
+    let mut drawn = 0;
+    while drawn < 300 {
+        // Far ones are shown as large as near ones, so that the ratio of w is up to 64 on any triangle.
+        let flat = drawn % 3 == 0;
+        let first = random.next() as i16;
+        let positions = [(); 3].map(|()| {
+            let z = if flat { first } else { ((i64::from(random.next() as i16)) >> (drawn % 2 * 4)) as i16 };
+            let w = if C::PERSPECTIVE { w_of([0, 0, z]) } else { 1.0 };
+            let place = [(); 2].map(|()| (f64::from(random.next() as i16) * w) as i16);
+            [place[0], place[1], z]
+        });
+        let [Some(a), Some(b), Some(c)] = positions.map(projected) else { continue };
+        let mut corners = [a, b, c];
+        corners.sort_by_key(|&([x, y], _)| (y, x));
+        let (triangle, values): (Triangle, _) = (corners.map(|c| c.0), corners.map(|c| c.1));
+        if area2(triangle) == 0 {
+            continue;
+        }
+        drawn += 1;
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+        let mut storage = ([0; 16], [ListTriangle::EMPTY; 1]);
+        let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+        list.set_cull(Cull::None);
+        list.draw(camera, &mesh, &Pose::new(), &Flat::new(Material::OfMesh)).unwrap();
+        let mut strip = Strip::new(SIZE as u16, &mut cells).unwrap().with_depth(&mut depths).unwrap();
+        strip.clear();
+        list.render(0..SIZE as i32, &mut strip);
+        for (index, &ours) in depths.iter().enumerate() {
+            let (x, y) = ((index % SIZE as usize) as i64, (index / SIZE as usize) as i64);
+            if !covers(triangle, x, y) {
+                assert_eq!(ours, 0, "{positions:?} at {x}, {y}");
+                continue;
+            }
+            let exact = linear(triangle, values, x, y);
+            let steps =
+                x.abs_diff(i64::from(triangle[0][0] >> 8)) + y.abs_diff(i64::from(triangle[0][1] >> 8));
+            let bound = interpolation(16, steps, range(values)) + DEPTH_VERTEX;
+            assert!(
+                code(exact - bound) <= ours && ours <= code(exact + bound),
+                "{positions:?} at {x}, {y}: {ours} for {exact}, give or take {bound:e}"
+            );
+            compared += 1;
+            other += u64::from(ours != code(exact));
+        }
+    }
+    (compared, other)
+}
+
+/// Turned red by: another code for the far plane, z / w for 1 - z / w, depth from 1/w, a nearness of 16 bits.
+#[test]
+fn codes_are_those_of_the_exact_plane() {
+    for (name, (compared, other)) in [
+        ("orthographic", codes(&exact_camera(), level, 5)),
+        ("perspective", codes(&exact_perspective(), with_perspective, 6)),
+    ] {
+        println!("depth, {name}: {compared} px, {other} codes are the neighbour's");
+        // A plane that is off by b codes shows another code at no more than every 1/b-th pixel.
+        let share = interpolation(16, 512, 65_536.0) + DEPTH_VERTEX;
+        assert!(compared > 1_000_000 && (other as f64) < share * compared as f64);
+    }
+}
+
+/// Depth is a function of geometry and camera alone.
+///
+/// Turned red by: a shader that keeps 1/w for depth, a vertex stage that clips by shader.
+#[test]
+fn all_ways_of_shading_leave_the_same_depths() {
+    const WIDTH: u16 = 120;
+    for scene in SCENES {
+        for turn in [0, 77] {
+            let mut before: Option<Vec<u16>> = None;
+            for shade in Shade::ALL {
+                let mut words = vec![0; 1 << 16];
+                let mut triangles = vec![ListTriangle::EMPTY; 4000];
+                let mut list = DrawList::<u16, Depth16>::new(&mut words, &mut triangles);
+                let view = View { turn: Turn::from_degrees(turn), shade: Some(shade), ..View::default() };
+                scene.draw(&mut list, Size::new(WIDTH.into(), 100), &view).unwrap();
+                let (mut cells, mut depths) = (vec![0; WIDTH as usize * 100], vec![0; WIDTH as usize * 100]);
+                let mut strip = Strip::new(WIDTH, &mut cells).unwrap().with_depth(&mut depths).unwrap();
+                strip.clear();
+                list.render(0..100, &mut strip);
+                assert!(depths.iter().any(|&depth| depth != 0), "{} shows nothing", scene.name);
+                let before = before.get_or_insert_with(|| depths.clone());
+                assert!(*before == depths, "{} at {turn} degrees, {}", scene.name, shade.name());
+            }
+        }
+    }
+}

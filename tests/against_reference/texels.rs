@@ -1,1 +1,224 @@
+//! Which texel a pixel shows, against exact perspective at the same snapped vertices.
 
+use reference::setup::{Triangle, area2};
+use reference::varying::{linear, perspective};
+use topleft::stages::{Correction, PerVertexInverse, PixelShader, Varying, Words};
+use topleft::{
+    Affine, Attribute, Cull, DrawList, ListTriangle, Mesh, NoDepth, PerPixel, Pose, Strip, Texture, Textured,
+};
+
+use crate::probe::{Covered, SIZE, exact_perspective, range, sampled, snapped, w_of};
+use crate::random::{Kind, Random};
+use crate::tolerance::{REACHED, SIXTEENTH, interpolation, per_pixel};
+
+/// A texture of 256 x 256 whose texels say where they are.
+fn map() -> Vec<u16> {
+    (0..=u16::MAX).collect()
+}
+
+/// 1/w as a vertex carries it: the reciprocal's upper 26 bits over its shift, as `PerVertexInverse` documents.
+fn inverse(w: u32) -> PerVertexInverse {
+    let shift = w.leading_zeros();
+    let mantissa = ((1_u128 << 62) / (u128::from(w) << shift)) as u32;
+    PerVertexInverse::load(&mut [mantissa & !31 | (31 - shift)].into_iter()).unwrap()
+}
+
+/// Three values of w from `least` to `ratio` times as much.
+fn distances(ratio: f64, random: &mut Random) -> [u32; 3] {
+    let least = random.within(1 << 22, 1 << 23) as f64;
+    let between = 1.0 + (ratio - 1.0) * random.unit();
+    let mut w = [1.0, ratio, between].map(|share| (least * share) as u32);
+    w.rotate_left(random.within(0, 2) as usize);
+    w
+}
+
+/// The power of two of texels that holds a triangle's span.
+fn texel_box(texels: [[f64; 2]; 3]) -> f64 {
+    let span = |axis: usize| {
+        let ends = texels.map(|texel| texel[axis]);
+        let most = ends.into_iter().fold(f64::MIN, f64::max);
+        most - ends.into_iter().fold(f64::MAX, f64::min).floor()
+    };
+    let span = span(0).max(span(1)).ceil() as u64;
+    span.next_power_of_two() as f64
+}
+
+/// How far a coordinate lies from the texel that was shown for it: 0 inside.
+fn outside(texel: i32, exact: f64) -> f64 {
+    (f64::from(texel) - exact).max(exact - f64::from(texel) - 1.0).max(0.0)
+}
+
+/// The worst error of one kind and ratio in texels, and as a share of its bound; of texels up to `size`.
+fn worst<C: Correction>(correction: C, kind: Kind, ratio: f64, size: f64, count: u32) -> (f64, f64) {
+    let mut random = Random::new(kind as u64 * 1000 + ratio as u64 + size as u64);
+    let mut worst = (0.0_f64, 0.0_f64);
+    for _ in 0..count {
+        let covered = Covered::new(kind.triangle(&mut random));
+        let w = distances(ratio, &mut random);
+        let texels = [(); 3].map(|()| {
+            [(); 2].map(|()| Attribute::from_bits(((random.unit() - 0.5) * size * 65_536.0) as i32))
+        });
+        let exact = texels.map(|texel| texel.map(|c| f64::from(c.to_bits()) / 65_536.0));
+        let (shared, varyings) = correction.triangle(texels, w.map(inverse));
+        let gradients = covered.setup.gradients();
+        let plane = C::Varying::plane(&gradients, varyings);
+        let [ax, ay] = gradients.anchor();
+        let q = w.map(|w| 1.0 / f64::from(w));
+        // 1/w as a share of the power of two at or above the largest.
+        let unit = f64::from(1_u32 << w.into_iter().min().unwrap().ilog2());
+        let u = texel_box(exact);
+        for span in &covered.spans {
+            let start = plane.at(span.start - ax, span.y - ay);
+            let mut shown = Vec::new();
+            correction.walk(&shared, start, plane.dx, span.start..span.end, |_, u, v| shown.push([u, v]));
+            for x in sampled(span, &mut random) {
+                let (column, row) = (i64::from(x), i64::from(span.y));
+                let steps = covered.steps(x, span.y);
+                for axis in 0..2 {
+                    let values = exact.map(|texel| texel[axis]);
+                    let (wanted, bound) = if C::PERSPECTIVE {
+                        let share = linear(covered.triangle, q, column, row) * unit;
+                        (perspective(covered.triangle, values, q, column, row), u * per_pixel(steps, share))
+                    } else {
+                        let range = range(values);
+                        (linear(covered.triangle, values, column, row), interpolation(16, steps, range))
+                    };
+                    let texel = shown[(x - span.start) as usize][axis];
+                    let error = outside(texel, wanted);
+                    assert!(
+                        error <= bound,
+                        "{kind:?} {:?}, w {w:?}, texels {exact:?}: {texel} for {wanted} at {x}, {}: {error} > {bound}",
+                        covered.triangle,
+                        span.y
+                    );
+                    worst = (worst.0.max(error), worst.1.max(error / bound));
+                }
+            }
+        }
+    }
+    worst
+}
+
+const RATIOS: [f64; 4] = [1.5, 4.0, 16.0, 64.0];
+const KINDS: [Kind; 6] =
+    [Kind::Ordinary, Kind::Small, Kind::FullScreen, Kind::Sliver, Kind::Needle, Kind::Guard];
+
+/// Turned red by: a reciprocal table of 32 entries, no interpolation between entries, 24 bits of 1/w, affine texels.
+#[test]
+fn per_pixel_perspective_is_within_its_bound() {
+    for kind in KINDS {
+        let count = if matches!(kind, Kind::Ordinary | Kind::FullScreen | Kind::Guard) { 150 } else { 2000 };
+        for ratio in RATIOS {
+            let (texels, share) = worst(PerPixel, kind, ratio, 255.0, count);
+            // The same in a box of 2^15 texels, so that a texel is a small part of the bound.
+            let (wide, wide_share) = worst(PerPixel, kind, ratio, 32_767.0, count);
+            println!(
+                "per pixel, {kind:?}, w 1:{ratio}: {texels:.4} of 256 texels, {share:.3} of the bound; {wide:.3} of \
+                 32768, {wide_share:.3}"
+            );
+            // On the screen, what the issue asks for. From anchors in the guard margin the derived bound holds alone.
+            assert!(kind == Kind::Guard || texels <= SIXTEENTH, "{kind:?}, {ratio}: {texels} texels");
+            assert!(wide_share >= REACHED / 2.0, "{kind:?}, {ratio}: not hard enough, {wide_share}");
+        }
+    }
+    // The derived bound itself keeps the promise on a screen of 320 x 240.
+    assert!(256.0 * per_pixel(560, 1.0 / 128.0) <= SIXTEENTH);
+}
+
+/// Turned red by: rounding texels to nearest, truncated gradients.
+#[test]
+fn affine_texels_are_those_of_the_plane() {
+    for kind in KINDS {
+        let count = if matches!(kind, Kind::Ordinary | Kind::FullScreen | Kind::Guard) { 300 } else { 3000 };
+        let (texels, share) = worst(Affine, kind, 4.0, 255.0, count);
+        println!("affine, {kind:?}: {texels:.6} texels, {share:.3} of the bound");
+    }
+}
+
+/// From the mesh through vertex stage, list and strip to the texel, at w ratios up to 64.
+///
+/// Turned red by: 1/w of another vertex, texture coordinates that are halved, u for v.
+#[test]
+fn the_whole_path_shows_the_same_texels() {
+    let texels = map();
+    let texture = Texture::new(256, 256, &texels).unwrap();
+    let mut random = Random::new(11);
+    let (mut worst, mut pixels, mut drawn) = (0.0_f64, 0_u64, 0);
+    while drawn < 200 {
+        let positions = [(); 3].map(|()| {
+            let z = random.next() as i16;
+            let w = w_of([0, 0, z]);
+            let place = [(); 2].map(|()| (f64::from(random.next() as i16) * w) as i16);
+            [place[0], place[1], z]
+        });
+        let w = positions.map(w_of);
+        let [a, b, c] = [0, 1, 2].map(|k| snapped(positions[k], w[k]));
+        let (Some(a), Some(b), Some(c)) = (a, b, c) else { continue };
+        let triangle: Triangle = [a, b, c];
+        if area2(triangle) == 0 {
+            continue;
+        }
+        drawn += 1;
+        // From 1 to 255 texels: no error reaches round the texture.
+        let uvs = [(); 3].map(|()| [(); 2].map(|()| random.within(128, 32_640) as i16));
+        let exact = uvs.map(|uv| reference::shade::uv(uv, 0, &texture));
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap().with_uvs(&uvs, 0).unwrap();
+        let mut storage = ([0; 32], [ListTriangle::EMPTY; 1]);
+        let mut list = DrawList::<u16, NoDepth>::new(&mut storage.0, &mut storage.1);
+        list.set_cull(Cull::None);
+        list.draw(&exact_perspective(), &mesh, &Pose::new(), &Textured::new(&texture, PerPixel)).unwrap();
+        let mut cells = vec![0; (SIZE * SIZE) as usize];
+        let mut strip = Strip::new(SIZE as u16, &mut cells).unwrap();
+        list.render(0..SIZE as i32, &mut strip);
+        let (q, u) = (w.map(|w| 1.0 / w), texel_box(exact));
+        let largest = q.into_iter().fold(0.0, f64::max);
+        let unit = 2.0_f64.powi(-largest.log2().ceil() as i32);
+        let first = triangle.into_iter().min_by_key(|&[x, y]| (y, x)).unwrap();
+        for (index, &texel) in cells.iter().enumerate() {
+            let (x, y) = ((index % SIZE as usize) as i64, (index / SIZE as usize) as i64);
+            if !reference::raster::covers(triangle, x, y) {
+                continue;
+            }
+            let steps = x.abs_diff(i64::from(first[0] >> 8)) + y.abs_diff(i64::from(first[1] >> 8));
+            let bound = u * per_pixel(steps, linear(triangle, q, x, y) * unit);
+            for (axis, ours) in [texel & 255, texel >> 8].into_iter().enumerate() {
+                let wanted = perspective(triangle, exact.map(|texel| texel[axis]), q, x, y);
+                let error = outside(ours.into(), wanted);
+                assert!(
+                    error <= bound,
+                    "{positions:?} {exact:?}: {ours} for {wanted} at {x}, {y}: {error} > {bound}"
+                );
+                worst = worst.max(error);
+                pixels += 1;
+            }
+        }
+    }
+    println!("per pixel, whole path, w up to 1:64: {pixels} texels, {worst:.4} of 256 at the most");
+    assert!(worst <= SIXTEENTH && worst > 0.0);
+}
+
+/// The shader shows the texel that its correction finds, with `shade` as it is called for a run.
+///
+/// Turned red by: a shader that fetches row for column, or that does not step.
+#[test]
+fn a_texture_is_fetched_where_the_correction_says() {
+    let texels = map();
+    let texture = Texture::new(256, 256, &texels).unwrap();
+    let mut random = Random::new(12);
+    let covered = Covered::new(Kind::FullScreen.triangle(&mut random));
+    let corners = [[10, 20], [700, -300], [40, 250]].map(|texel| texel.map(Attribute::from_num));
+    let shader = Textured::new(&texture, PerPixel);
+    let inverses = distances(3.0, &mut random).map(inverse);
+    let (shared, varyings) = PixelShader::<u16>::triangle(&shader, [0; 3], corners, inverses);
+    let gradients = covered.setup.gradients();
+    let plane = Varying::plane(&gradients, varyings);
+    let [ax, ay] = gradients.anchor();
+    for span in &covered.spans {
+        let start: <PerPixel as Correction>::Varying = plane.at(span.start - ax, span.y - ay);
+        let mut run = vec![0_u16; (span.end - span.start) as usize];
+        shader.shade(&shared, start, plane.dx, &mut run);
+        let mut wanted = Vec::new();
+        PerPixel.walk(&shared, start, plane.dx, 0..run.len(), |_, u, v| wanted.push(texture.texel(u, v)));
+        assert_eq!(run, wanted);
+    }
+}

@@ -52,7 +52,12 @@ fn seen_boundary(mesh: &Mesh<'_>, drawn: &Drawn) -> Vec<Edge> {
 }
 
 /// A camera of the library, and the same one of the reference as a matrix.
-fn camera(eye: Vec3, target: Vec3, degrees: i32, [near, far]: [f64; 2]) -> (Perspective, reference::matrix::Matrix) {
+fn camera(
+    eye: Vec3,
+    target: Vec3,
+    degrees: i32,
+    [near, far]: [f64; 2],
+) -> (Perspective, reference::matrix::Matrix) {
     let single = |point: Vec3| point.map(|c| c as f32);
     let ours = Perspective::new(SIZE, Turn::from_degrees(degrees), near as f32..far as f32)
         .look_at(single(eye), single(target));
@@ -108,7 +113,8 @@ fn sheets(step: i16) -> impl Strategy<Value = Sheet> {
             let stride = columns + 1;
             let positions = (0..=rows).flat_map(|y| (0..=columns).map(move |x| (x, y)));
             let positions = positions.zip(moves);
-            let positions = positions.map(|((x, y), [mx, my])| [place(x, columns, mx), -place(y, rows, my), 0]);
+            let positions =
+                positions.map(|((x, y), [mx, my])| [place(x, columns, mx), -place(y, rows, my), 0]);
             let corner = |x: u16, y: u16| y * stride + x;
             let quads = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))).zip(diagonals);
             let faces = quads.flat_map(|((x, y), falling)| {
@@ -176,8 +182,12 @@ fn near_enough(what: &str, got: &[i32], expected: &[i32]) -> Result<(), String> 
     if differing > 8 { Err(format!("{what}: {differing} pixels differ")) } else { Ok(()) }
 }
 
-const CLOSED: [(&str, Mesh<'static>); 4] =
-    [("cube", CUBE), ("icosphere", ICOSPHERE), ("fine icosphere", ICOSPHERE_FINE), ("torus knot", TORUS_KNOT)];
+const CLOSED: [(&str, Mesh<'static>); 4] = [
+    ("cube", CUBE),
+    ("icosphere", ICOSPHERE),
+    ("fine icosphere", ICOSPHERE_FINE),
+    ("torus knot", TORUS_KNOT),
+];
 
 #[test]
 fn the_meshes_that_should_be_closed_are() {
@@ -286,7 +296,8 @@ fn convex_meshes_with_culling_hit_each_pixel_once() {
                 let (ours, _) = camera(eye, [0.05, 0.0, 0.0], 45, [0.1, 60.0]);
                 let what = format!("{name} from {eye:?}");
                 let pose = Pose::new();
-                let [fronts, backs, all] = [FRONTS, BACKS, ALL].map(|passes| draw(&ours, mesh, &pose, passes).hits);
+                let [fronts, backs, all] =
+                    [FRONTS, BACKS, ALL].map(|passes| draw(&ours, mesh, &pose, passes).hits);
                 let union: Vec<i32> = all.iter().map(|&hits| i32::from(hits != 0)).collect();
                 same(&format!("fronts of {what}"), WIDTH, &fronts, &union).unwrap();
                 same(&format!("backs of {what}"), WIDTH, &backs, &union).unwrap();
