@@ -81,8 +81,11 @@ impl Setup {
             a.max(b).max(c) - a.min(b).min(c)
         };
         let (width, height) = (extent(points.map(|p| p.x.to_bits())), extent(points.map(|p| p.y.to_bits())));
-        let fits =
-            width <= 8191 << SUBPIXEL_BITS && height <= 4095 << SUBPIXEL_BITS && width * height <= 1 << 39;
+        let near = |p: &Snapped| p.x.to_bits().unsigned_abs().max(p.y.to_bits().unsigned_abs()) <= 1 << 30;
+        let fits = points.iter().all(near)
+            && width <= 8191 << SUBPIXEL_BITS
+            && height <= 4095 << SUBPIXEL_BITS
+            && width * height <= 1 << 39;
         if fits { Self::sorted(sorted).map(|setup| (setup, order)) } else { None }
     }
 
