@@ -1,12 +1,14 @@
 //! The animation: a PNG of its first frame, a GIF of all, and figures.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 use std::time::Duration;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use gif::{Encoder, Frame, Repeat};
+use image::ImageFormat;
 use indicatif::{ProgressBar, ProgressStyle};
 use scenes::{Scene, View};
 use topleft::Turn;
@@ -59,7 +61,9 @@ pub(crate) fn animate(scene: &Scene, options: &Options) -> Result<(), String> {
     let picture = image::RgbImage::from_raw(options.size.width, options.size.height, first)
         .ok_or_else(|| String::from("no frame was drawn"))?;
     fs::create_dir_all(&options.out).map_err(|error| format!("{}: {error}", options.out.display()))?;
-    picture.save(&png).map_err(|error| format!("{}: {error}", png.display()))?;
+    let mut still = Cursor::new(Vec::new());
+    picture.write_to(&mut still, ImageFormat::Png).map_err(|error| error.to_string())?;
+    write(&png, still.get_ref())?;
     write(&gif, &animation)?;
     total.print(scene, options);
     println!("files      {}\n           {}", png.display(), gif.display());

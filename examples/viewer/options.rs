@@ -73,10 +73,13 @@ impl Options {
     pub(crate) fn from_command_line() -> Result<Self, String> {
         Self::try_parse().map_err(|error| {
             if error.use_stderr() {
-                // One line: what is wrong. The rest is in --help.
+                // One line: what is wrong, and what would be right. The rest is in --help.
                 let text = error.to_string();
-                let line = text.lines().next().unwrap_or_default();
-                return format!("{} (see --help)", line.trim_start_matches("error: "));
+                let mut lines = text.lines().map(str::trim);
+                let what = lines.next().unwrap_or_default().trim_start_matches("error: ");
+                let choice =
+                    lines.find(|line| line.starts_with("[possible values")).unwrap_or("(see --help)");
+                return format!("{what} {choice}");
             }
             error.exit()
         })
