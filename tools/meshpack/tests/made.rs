@@ -175,6 +175,22 @@ fn the_grid_covers_the_screen_with_fronts_and_tells_its_faces_apart() {
 }
 
 #[test]
+fn the_tilted_grid_is_where_the_grid_is_on_the_screen() {
+    let (flat, tilted) = (made("grid240"), made("grid240_tilted"));
+    assert_eq!(flat.mesh().faces(), tilted.mesh().faces());
+    let mut farthest = 0.0_f64;
+    for (flat, tilted) in flat.mesh().positions().iter().zip(tilted.mesh().positions()) {
+        let [x, y] = [flat[0], flat[1]].map(|c| f64::from(c) / 16.0);
+        let [over_x, over_y, away] = tilted.map(|c| f64::from(c) / 64.0);
+        let w = -away / 120.0;
+        assert!((1.0 / w - (0.625 - 0.375 * y / 120.0)).abs() < 1e-4);
+        farthest = farthest.max((over_x / w - x).abs()).max((over_y / w - y).abs());
+    }
+    // Half a step of 1/64 px in a coordinate, and as much in w times 120 at the screen's edge.
+    assert!(farthest < 1.0 / 64.0, "{farthest}");
+}
+
+#[test]
 fn made_textures_have_the_promised_size() {
     for made in made_textures() {
         let texture = made.packed.texture();

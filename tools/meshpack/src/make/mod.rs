@@ -50,6 +50,13 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             grid::make(),
         ),
         mesh(
+            "grid240_tilted",
+            "GRID240_TILTED",
+            "The triangles of `GRID240` on a plane that recedes, for a camera at the origin that sees 90 degrees: w is 1 \
+             at the bottom of the screen and 4 at the top.",
+            grid::tilted(),
+        ),
+        mesh(
             "icosphere",
             "ICOSPHERE",
             "A sphere of radius 1, an icosahedron split twice.",
