@@ -1,0 +1,55 @@
+//! Draws each scene in each way, and measures what it costs on the chip that it runs on.
+//!
+//! The same cases run on a host, where nothing is measured: the checksums of their frames have to be the same.
+#![no_std]
+
+mod crc;
+mod grid;
+mod measure;
+mod row;
+mod scene;
+mod traversal;
+
+pub use measure::{Clock, PANEL, Part};
+pub use row::Row;
+
+use measure::{Bench, Buffers};
+use topleft::ListTriangle;
+
+/// The compiler that built this.
+pub const COMPILER: &str = env!("BENCH_COMPILER");
+/// The opt level that this was built with.
+pub const OPT_LEVEL: &str = env!("BENCH_OPT_LEVEL");
+
+const WIDTH: usize = PANEL.width as usize;
+const HEIGHT: usize = PANEL.height as usize;
+/// Rows of a strip.
+const STRIP: usize = 16;
+
+/// Runs all cases, and hands each row to `report` as it is done.
+pub fn run(clock: &mut dyn Clock, report: &mut dyn FnMut(&Row)) {
+    let mut bench = Bench::new(clock, report);
+    whole_frame(&mut bench);
+    strips(&mut bench);
+}
+
+/// The grid into a whole frame with depth: 225 KB of the stack, and 15 KB for the list.
+#[inline(never)]
+fn whole_frame(bench: &mut Bench<'_>) {
+    let (mut colours, mut depths) = ([0; WIDTH * HEIGHT], [0; WIDTH * HEIGHT]);
+    let (mut words, mut triangles) = ([0; 289 * 6], [ListTriangle::EMPTY; 512]);
+    let mut buffers =
+        Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
+    grid::all(bench, &mut buffers);
+}
+
+/// The grid and the scenes in strips: 15 KB for a strip, and 64 KB for the list of the largest scene.
+#[inline(never)]
+fn strips(bench: &mut Bench<'_>) {
+    let (mut colours, mut depths) = ([0; WIDTH * STRIP], [0; WIDTH * STRIP]);
+    let (mut words, mut triangles) = ([0; 6000], [ListTriangle::EMPTY; 1500]);
+    let mut buffers =
+        Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
+    grid::all(bench, &mut buffers);
+    scene::all(bench, &mut buffers);
+}
