@@ -99,10 +99,10 @@ mod blob;
 mod viewport;
 mod pose;
 mod camera;
-mod point;
 
-mod attributes;
 mod snapped;
+mod point;
+mod attributes;
 mod transform;
 mod clip;
 

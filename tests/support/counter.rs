@@ -82,8 +82,10 @@ pub(crate) struct Drawn {
 /// Draws a mesh once for each entry of `passes`, adding its number to the pixels of the faces that it leaves in.
 pub(crate) fn draw(camera: &impl Camera, mesh: &Mesh<'_>, pose: &Pose, passes: &[(Cull, i32)]) -> Drawn {
     let size = camera.viewport().expect("the target is not too large").size();
-    let mut words = vec![0; 1 << 18];
-    let mut triangles = vec![ListTriangle::EMPTY; 1 << 16];
+    // Two words a vertex; clipping makes up to nine vertices, and seven triangles, of a face.
+    let most = mesh.faces().len() * passes.len();
+    let mut words = vec![0; (mesh.positions().len() * passes.len() + most * 9) * 2];
+    let mut triangles = vec![ListTriangle::EMPTY; most * 7];
     let mut cells = vec![Hits(0); (size.width * size.height) as usize];
     let mut list = DrawList::<Hits, NoDepth>::new(&mut words, &mut triangles);
     for &(cull, number) in passes {
@@ -92,8 +94,9 @@ pub(crate) fn draw(camera: &impl Camera, mesh: &Mesh<'_>, pose: &Pose, passes: &
     }
     let mut strip = Strip::new(size.width as u16, &mut cells).expect("there is a cell for each pixel");
     list.render(0..size.height.cast_signed(), &mut strip);
-    let clipped = list.stats().clipped;
+    let (clipped, used) = (list.stats().clipped, list.words());
     drop(list);
+    words.truncate(used);
     Drawn { hits: cells.iter().map(|cell| cell.0).collect(), words, clipped }
 }
 

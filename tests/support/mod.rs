@@ -3,6 +3,7 @@
 
 pub(crate) mod counter;
 pub(crate) mod strategies;
+pub(crate) mod tolerance;
 
 use std::fmt::Debug;
 

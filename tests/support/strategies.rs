@@ -51,12 +51,16 @@ pub(crate) fn near_ties(columns: i32, rows: i32) -> impl Strategy<Value = Case> 
         .prop_map(|(triangle, window)| Case { triangle, window })
 }
 
-/// Needles: the third point lies within three steps of the line through the others, between them or beyond.
+/// Needles: the third point lies within three steps, or a quarter of a pixel, of the line through the others, between
+/// them or beyond.
 pub(crate) fn slivers(columns: i32, rows: i32) -> impl Strategy<Value = Case> {
     let ends = [point_in(columns, rows), point_in(columns, rows)];
-    (ends, -64..=320, [-3..=3, -3..=3], 0..3_usize, window(columns, rows)).prop_map(
-        |([a, b], part, beside, turn, window)| {
-            let c = [0, 1].map(|axis| a[axis] + (b[axis] - a[axis]) * part / 256 + beside[axis]);
+    let window = (0..rows, 1..=rows)
+        .prop_map(move |(top, height)| Window { columns: 0..columns, rows: top..top + height });
+    (ends, -64..=320, [-3..=3, -3..=3], any::<bool>(), 0..3_usize, window).prop_map(
+        |([a, b], part, beside, wider, turn, window)| {
+            let wide = if wider { 21 } else { 1 };
+            let c = [0, 1].map(|axis| a[axis] + (b[axis] - a[axis]) * part / 256 + beside[axis] * wide);
             let mut triangle = [a, b, c];
             triangle.rotate_left(turn);
             Case { triangle, window }
@@ -86,7 +90,7 @@ pub(crate) fn guard_sized() -> impl Strategy<Value = Case> {
                     2 => low + near,
                     3 => high - near,
                     4 => (within % (length * 2 + 1).cast_unsigned()).cast_signed() * 128,
-                    _ => low + (u64::from(within) * u64::from(low.abs_diff(high)) >> 32) as i32,
+                    _ => low + ((u64::from(within) * u64::from(low.abs_diff(high))) >> 32) as i32,
                 }
             };
             let triangle = corners.map(|[x, y]| [place(x, size[0]), place(y, size[1])]);

@@ -16,7 +16,7 @@ pub(crate) fn interpolation(bits: u32, steps: u64, range: f64) -> f64 {
     (steps + 2) as f64 * half(bits + 1) + range * half(30)
 }
 
-/// The same as design.md 4 has it: the slope over the triangle's box counts as well.
+/// A looser bound, for the record: what separate truncation of the numerators would add, the slope over the box.
 pub(crate) fn interpolation_by_design(bits: u32, steps: u64, range: f64, over_the_box: f64) -> f64 {
     (steps + 2) as f64 * half(bits + 1) + (range + over_the_box) * half(30)
 }
@@ -27,11 +27,10 @@ pub(crate) const REACHED: f64 = 0.5;
 
 // Texels, per pixel. In units of the triangle's box of texels, U.
 
-/// Of a reciprocal: the chord, 2^-14, and the rounding of table and interpolation, 2^-15 at least; then u / w loses up
-/// to a step of its 17 bits times a reciprocal of 16: 2^-15.
-pub(crate) const RECIPROCAL_HIGH: f64 = half(14) + half(15);
-/// See [`RECIPROCAL_HIGH`]: a value is never above by more, nor below by more than this.
-pub(crate) const RECIPROCAL_LOW: f64 = half(15) + half(15);
+/// Of a reciprocal: the chord lies up to 2^-14 above, and table and interpolation are each rounded by half a step of
+/// 2^15, 2^-15 together. Below, those 2^-15, and u / w loses up to a step of its 17 bits times a reciprocal of 16, 2^-15
+/// again: no more than above.
+pub(crate) const RECIPROCAL: f64 = half(14) + half(15);
 /// 1/w of a vertex: a mantissa of 26 bits, rounded down, of a reciprocal that is right to 2^-27.9.
 pub(crate) const VERTEX_INVERSE: f64 = half(25) + half(27);
 /// u/w at a vertex: its part of the box and the product are each rounded down to 2^-31; and 1/w once more.
@@ -41,10 +40,10 @@ pub(crate) const OVER_W: f64 = 3.0 * half(31);
 pub(crate) fn per_pixel(steps: u64, q: f64) -> f64 {
     // Both u/w and 1/w are interpolated, over at most 1; their errors are divided by 1/w.
     let carried = 2.0 * interpolation(31, steps, 1.0) + OVER_W;
-    carried / (q - carried) + VERTEX_INVERSE + RECIPROCAL_HIGH.max(RECIPROCAL_LOW)
+    carried / (q - carried) + VERTEX_INVERSE + RECIPROCAL
 }
 
-/// What the issue asks of a texture of 256 texels at a w ratio of 64.
+/// What is promised of a texture of 256 texels at a w ratio of 64.
 pub(crate) const SIXTEENTH: f64 = 1.0 / 16.0;
 
 // Depth, in codes. 65528 of them between the planes.
@@ -55,10 +54,19 @@ pub(crate) const DEPTH_VERTEX: f64 = 65_528.0 * 1.08 * half(28) + 3.0 * half(16)
 
 // The transform.
 
-/// Of a clip coordinate, as a share of the largest camera element times the largest of the pose: the product is rounded
-/// at 2^-30 of both for four columns, and the pose before it likewise (9 * 2^-30 with its own); x and y lose one step in
-/// units of the reach, the coordinate three of 2^-29, and a clipped vertex three more.
-pub(crate) const CLIP: f64 = 9.0 * half(30) + 7.0 * half(29);
+/// Of a clip coordinate: `factors` is the largest camera element times the largest of the pose, `largest` the largest
+/// coordinate in the mesh's cube.
+///
+/// The pose is right to 1.5 * 2^-30 an element, and 4 x 4 of them are summed. In steps of 2^-29 of the largest, for four
+/// columns: 2 of the product, 4 of x and y in units of the reach, 4 of the common power of two; 3 for the products with
+/// a position, 3 for a clipped vertex.
+pub(crate) fn clip(factors: f64, largest: f64) -> f64 {
+    24.0 * half(30) * factors + 16.0 * half(29) * largest
+}
+
+/// Of the place of a mesh whose box is not centred: its turned centre is rounded to a `Length` on three axes. To be
+/// multiplied by the largest camera element.
+pub(crate) const TURNED_CENTRE: f64 = 3.0 * half(17);
 
 /// What 1/w (2^-27.9) does to a place in the guard rectangle, at most 1024 + 512 px from the centre: in screen steps.
 pub(crate) const PERSPECTIVE_DIVIDE: f64 = 1536.0 * 256.0 * 1.08 * half(28);
@@ -67,6 +75,10 @@ pub(crate) const PERSPECTIVE_DIVIDE: f64 = 1536.0 * 256.0 * 1.08 * half(28);
 pub(crate) fn vertex_on_screen(clip: f64, w: f64, reach: f64, from_centre: f64) -> f64 {
     256.0 * (reach + from_centre) * clip / w + PERSPECTIVE_DIVIDE
 }
+
+/// Of an edge of a flat drawing that is clipped at the guard rectangle, in steps: both ends are rounded to half a step
+/// on each axis, twice where they are cut in x and in y, and an edge moves no further than its ends: sqrt 2 steps.
+pub(crate) const FLAT_CLIPPED: f64 = 1.415;
 
 // Light, in codes of 255 for full diffuse light.
 
