@@ -247,13 +247,16 @@ impl Matrix {
             }
             i += 1;
         }
+        if largest == 0 {
+            return Self::NOWHERE;
+        }
         let mut wide = [[0; 4]; 4];
         let mut i = 0;
         while i < 16 {
             let (mantissa, exponent) = parts(rows[i / 4][i % 4]);
-            // 24 bits and 32 more: elements that far below the largest vanish.
+            // 24 bits and 32 more: elements that far below the largest vanish, and so do zeros.
             let below = largest - exponent;
-            wide[i / 4][i % 4] = if below < 63 { (mantissa << 32) >> below } else { 0 };
+            wide[i / 4][i % 4] = if below >= 0 && below < 63 { (mantissa << 32) >> below } else { 0 };
             i += 1;
         }
         Self::normalised(wide, 150 + 32 - largest)

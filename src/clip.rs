@@ -63,6 +63,22 @@ pub(crate) fn clip<A: Attributes>(
     polygon
 }
 
+/// The same polygon, its least vertex by `key` first: a fan from there is the same whichever vertex the polygon was
+/// found from, and whichever way round.
+pub(crate) fn from_least<A: Attributes, K: Ord>(
+    polygon: &Polygon<A>,
+    key: impl Fn(&ClipVertex<A>) -> K,
+) -> Polygon<A> {
+    let least =
+        polygon.iter().enumerate().min_by_key(|(_, vertex)| key(vertex)).map_or(0, |(place, _)| place);
+    let mut turned = Polygon::new();
+    let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
+    for vertex in from.iter().chain(before) {
+        let _ = turned.push(*vertex);
+    }
+    turned
+}
+
 /// The part of a polygon where `distance` is not negative.
 fn cut<A: Attributes>(polygon: &Polygon<A>, distance: impl Fn(&ClipVertex<A>) -> i64) -> Polygon<A> {
     let mut kept = Polygon::new();

@@ -100,21 +100,22 @@ impl Depth for Depth16 {
         step: DepthCode,
         mut visible: impl FnMut(Range<usize>),
     ) {
-        let first = span.start;
+        let mut at = span.start;
         let Some(mut cells) = plane.get_mut(span) else { return };
-        let mut at = first;
         let mut code = start.to_bits();
-        while !cells.is_empty() {
-            let hidden = hidden(cells, code, step.to_bits());
-            let Some(rest) = cells.get_mut(hidden..) else { return };
-            code = code.wrapping_add(step.to_bits().wrapping_mul(hidden as u32));
-            let nearer = cover(rest, code, step.to_bits());
+        let step = step.to_bits();
+        // Visible first: most spans are visible to their end.
+        loop {
+            let nearer = cover(cells, code, step);
             if nearer != 0 {
-                visible(at + hidden..at + hidden + nearer);
+                visible(at..at + nearer);
             }
-            let Some(rest) = rest.get_mut(nearer..) else { return };
-            code = code.wrapping_add(step.to_bits().wrapping_mul(nearer as u32));
-            at += hidden + nearer;
+            let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
+            code = code.wrapping_add(step.wrapping_mul(nearer as u32));
+            let hidden = hidden(rest, code, step);
+            let Some(rest) = rest.get_mut(hidden..).filter(|rest| !rest.is_empty()) else { return };
+            code = code.wrapping_add(step.wrapping_mul(hidden as u32));
+            at += nearer + hidden;
             cells = rest;
         }
     }

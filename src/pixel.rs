@@ -6,6 +6,8 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::prelude::RawData;
 
+use crate::math::format::Attribute;
+
 /// A colour of a cell.
 ///
 /// Implemented for the RGB and BGR colours of embedded-graphics, and for `u16` as RGB565, which a DMA channel can send
@@ -22,6 +24,12 @@ pub trait Pixel: Copy {
 
     /// From the bits of a texel.
     fn from_texel(rgb565: u16) -> Self;
+
+    /// From channels of 0 to [`MAX`](Self::MAX) with 16 fraction bits, which are dropped.
+    #[inline(always)]
+    fn from_fixed(channels: [Attribute; 3]) -> Self {
+        Self::from_channels(channels.map(|channel| (channel.to_bits() >> 16) as u8))
+    }
 
     /// From channels of 0 to 255, each rounded to the nearest.
     #[inline]
@@ -91,6 +99,16 @@ impl Pixel for Rgb565 {
     const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
 
     #[inline(always)]
+    fn from_fixed(channels: [Attribute; 3]) -> Self {
+        Self::from_texel(u16::from_fixed(channels))
+    }
+
+    #[inline]
+    fn from_rgb(rgb: [u8; 3]) -> Self {
+        Self::from_texel(u16::from_rgb(rgb))
+    }
+
+    #[inline(always)]
     fn from_channels(channels: [u8; 3]) -> Self {
         Self::from_texel(u16::from_channels(channels))
     }
@@ -109,6 +127,20 @@ impl Pixel for Rgb565 {
 /// RGB565 in the chip's own byte order: a display that takes 16 bits at a time gets red first.
 impl Pixel for u16 {
     const MAX: [u8; 3] = Rgb565::MAX;
+
+    /// The nearest, without a division: the same for all 256 values.
+    #[inline]
+    fn from_rgb([r, g, b]: [u8; 3]) -> Self {
+        let five = |c: u8| (u32::from(c) * 249 + 1014) >> 11;
+        let six = |c: u8| (u32::from(c) * 253 + 505) >> 10;
+        (five(r) << 11 | six(g) << 5 | five(b)) as Self
+    }
+
+    #[inline(always)]
+    fn from_fixed(channels: [Attribute; 3]) -> Self {
+        let [r, g, b] = channels.map(|channel| channel.to_bits() >> 16);
+        ((r & 31) << 11 | (g & 63) << 5 | b & 31) as Self
+    }
 
     #[inline(always)]
     fn from_channels([r, g, b]: [u8; 3]) -> Self {
@@ -138,6 +170,14 @@ mod tests {
                 let texel = u16::from_channels([value.min(31), value, value.min(31)]);
                 assert_eq!(u16::lit_texel(texel, light).channels(), [nearest(31), nearest(63), nearest(31)]);
             }
+        }
+    }
+
+    #[test]
+    fn words_are_made_of_the_nearest_channels() {
+        for c in 0..=255 {
+            let nearest = |max: u8| scaled(c, u32::from(max), 255);
+            assert_eq!(u16::from_rgb([c; 3]).channels(), [nearest(31), nearest(63), nearest(31)], "{c}");
         }
     }
 

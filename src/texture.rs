@@ -123,11 +123,22 @@ impl<'a> Texture<'a> {
     /// The RGB565 texel in column `u` and row `v`, wrapped or clamped when outside.
     #[inline]
     pub const fn texel(&self, u: i32, v: i32) -> u16 {
-        let (u, v) = match self.wrap {
-            Wrap::Repeat => (repeat(u, self.width_log2), repeat(v, self.height_log2)),
-            Wrap::Clamp => (clamp(u, self.width_log2), clamp(v, self.height_log2)),
-        };
-        self.fetch(u | v << self.width_log2)
+        match self.wrap {
+            Wrap::Repeat => self.repeated(u, v),
+            Wrap::Clamp => self.clamped(u, v),
+        }
+    }
+
+    /// The texel in a column and row, the texture repeated.
+    #[inline(always)]
+    pub(crate) const fn repeated(&self, u: i32, v: i32) -> u16 {
+        self.fetch(repeat(u, self.width_log2) | repeat(v, self.height_log2) << self.width_log2)
+    }
+
+    /// The texel in a column and row, or the outermost one on that side.
+    #[inline(always)]
+    pub(crate) const fn clamped(&self, u: i32, v: i32) -> u16 {
+        self.fetch(clamp(u, self.width_log2) | clamp(v, self.height_log2) << self.width_log2)
     }
 
     /// The texel at an index below width x height.

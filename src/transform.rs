@@ -1,6 +1,6 @@
 //! Stage 2. From a mesh's `i16` positions to clip space, and from there to the screen.
 //!
-//! Takes a [`Mesh`](crate::Mesh), a [`Pose`] and a [`Camera`]; gives a [`Position`] a vertex.
+//! Takes a [`Mesh`], a [`Pose`] and a [`Camera`]; gives a [`Position`] a vertex.
 //! A matrix element has 31 bits and a position 16, and their product is taken as two 32-bit ones: no 64-bit product,
 //! no float. A clip coordinate is off by at most 3 steps (one truncation a product) plus the matrix's own rounding
 //! (2^-30 of its largest element), where the largest that a vertex of the mesh can have is between 2^29 and 2^30.
@@ -14,7 +14,8 @@ use crate::pose::Pose;
 use crate::snapped::Snapped;
 use crate::viewport::{TooLarge, Viewport};
 
-/// A homogeneous position. x and y are in [`Projection::reach`] pixels from the centre of the viewport.
+/// A homogeneous position. x and y count from the centre of the viewport, in units of the projection's reach: a power
+/// of two of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Position {
     pub(crate) x: Clip,

@@ -5,7 +5,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 
-use crate::clip::{ClipVertex, Outcode, clip};
+use crate::clip::{ClipVertex, Outcode, clip, from_least};
 use crate::math::format::{Attribute, SUBPIXELS};
 use crate::pipeline::{self, Vertices};
 use crate::pixel::Pixel;
@@ -133,12 +133,9 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     if d & e & f != 0 {
         return Ok(());
     }
-    let polygon = clip(corners, Outcode(d | e | f), &projection);
     let snap =
         |vertex: &ClipVertex<S::Vertex>| projection.project(&vertex.position, Projection::inverse(ONE));
-    let least = polygon.iter().enumerate().min_by_key(|(_, v)| snap(v).order()).map_or(0, |(place, _)| place);
-    let mut polygon = polygon;
-    polygon.rotate_left(least);
+    let polygon = from_least(&clip(corners, Outcode(d | e | f), &projection), |vertex| snap(vertex).order());
     let mut display = Display {
         origin: area.top_left,
         window: Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() },

@@ -6,7 +6,7 @@ use super::render::{self, stride};
 use super::{DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
 use crate::attributes::Words;
 use crate::camera::Camera;
-use crate::clip::{ClipVertex, Outcode, Polygon, clip};
+use crate::clip::{ClipVertex, Outcode, Polygon, clip, from_least};
 use crate::depth::Depth;
 use crate::math::recip::Reciprocal;
 use crate::mesh::Mesh;
@@ -185,7 +185,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
 /// The first row or column with a centre in a triangle, and the one after the last, inside the viewport.
 fn centres(ends: [i32; 3], length: i32) -> (u16, u16) {
     let [a, b, c] = ends.map(first_centre);
-    let inside = |centre: i32| centre.clamp(0, length) as u16;
+    let inside = |centre: i32| centre.max(0).min(length) as u16;
     (inside(a.min(b).min(c)), inside(a.max(b).max(c)))
 }
 
@@ -302,14 +302,10 @@ impl<'a, C: Camera, S: Shader<'a, P>, P, D: Depth> Drawing<'_, 'a, C, S, P, D> {
                 attributes: self.shader.vertex(&self.local, self.mesh, vertex),
             }
         };
-        let mut polygon = clip(corners.map(corner), planes, projection);
-        let key = |vertex: &ClipVertex<_>| {
+        let polygon = clip(corners.map(corner), planes, projection);
+        from_least(&polygon, |vertex| {
             let at = vertex.position;
             (projection.project(&at, self.inverse(&at)).order(), at.w, at.z, at.x, at.y)
-        };
-        let least =
-            polygon.iter().enumerate().min_by_key(|(_, vertex)| key(vertex)).map_or(0, |(place, _)| place);
-        polygon.rotate_left(least);
-        polygon
+        })
     }
 }

@@ -5,7 +5,7 @@
 //!
 //! | function | for | relative error | steps |
 //! |---|---|---|---|
-//! | [`pixel`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
+//! | [`Pixel`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
 //! | [`vertex`] | perspective divide, once a vertex | -2^-27.9 | and one Newton step |
 //! | [`area`] | gradients, once a triangle | ±2^-30 | and one more |
 //!
@@ -44,12 +44,34 @@ fn seed(normalised: u32) -> u32 {
     low + 32_768 - (((low - high) * fraction + 0x8000) >> 16)
 }
 
-/// `2^47 / (q << shift)` in [2^15, 2^16], and the shift that normalises `q`. A zero counts as one.
-#[inline(always)]
-pub(crate) fn pixel(q: u32) -> (u32, u32) {
-    let q = q.max(1);
-    let shift = q.leading_zeros();
-    (seed(q << shift), shift)
+/// Reciprocals of numbers that change little from one to the next: the shift that normalises the last is tried first,
+/// which is cheaper than counting zeros on a core that cannot.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pixel {
+    /// The leading zeros of the last number.
+    pub(crate) shift: u32,
+}
+
+impl Pixel {
+    /// For a run of numbers that starts with `q`.
+    #[inline(always)]
+    pub(crate) fn new(q: u32) -> Self {
+        Self { shift: q.max(1).leading_zeros() }
+    }
+
+    /// `2^47 / (q << shift)` in [2^15, 2^16], with the shift that normalises `q` from now on. A zero counts as one.
+    #[inline(always)]
+    pub(crate) fn of(&mut self, q: u32) -> u32 {
+        let q = q.max(1);
+        // Both loops end: a number that is not 0 has at most 31 leading zeros.
+        while q >> 1 >> (31 - self.shift) != 0 {
+            self.shift -= 1;
+        }
+        while q << self.shift >> 31 == 0 {
+            self.shift += 1;
+        }
+        seed(q << self.shift)
+    }
 }
 
 /// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
@@ -116,13 +138,25 @@ mod tests {
     #[test]
     fn pixel_is_within_the_chord_and_a_step() {
         for x in inputs() {
-            let (r, shift) = pixel(x);
-            assert_eq!(shift, 0);
+            let mut pixel = Pixel::new(x >> 31);
+            let r = pixel.of(x);
+            assert_eq!(pixel.shift, 0);
             // x r = 2^47 (1 + e). The entries and the interpolation are each rounded by half a step of r; the chord
             // lies up to 2^-14 above.
             let product = u64::from(x) * u64::from(r);
             assert!(product >= (1 << 47) - u64::from(x), "{x:#x}: {product:#x} is too low");
             assert!(product <= (1 << 47) + (1 << 33) + u64::from(x), "{x:#x}: {product:#x} is too high");
+        }
+    }
+
+    #[test]
+    fn the_shift_follows_any_number() {
+        let mut following = Pixel::new(0);
+        for (i, x) in inputs().enumerate() {
+            let q = x >> (i * 7 % 33).min(31);
+            let fresh = Pixel::new(q).of(q);
+            assert_eq!(following.of(q), fresh, "{q:#x}");
+            assert_eq!(following.shift, q.max(1).leading_zeros(), "{q:#x}");
         }
     }
 

@@ -1,6 +1,6 @@
 //! Stage 5. Which pixels a triangle covers: one [`Span`] a row.
 //!
-//! Takes a [`Setup`](crate::stages::Setup) and a [`Window`]; gives spans from the top down. There are two walks with
+//! Takes a [`Setup`] and a [`Window`]; gives spans from the top down. There are two walks with
 //! one answer, exact for every triangle inside the guard rectangle:
 //!
 //! * [`Spans`] steps the left and the right edge from row to row as an integer DDA: quotient and remainder.

@@ -31,19 +31,19 @@ impl Traversal for Spans {
             if y >= stop {
                 continue;
             }
-            let Some(mut short) = Edge::new(from, to, y) else { return Ok(()) };
+            let Some(short) = Edge::new(from, to, y) else { return Ok(()) };
+            let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
             while y < stop {
-                let (left, right) =
-                    if middle_is_right { (long.column, short.column) } else { (short.column, long.column) };
-                let span =
-                    Span { y, start: left.max(window.columns.start), end: right.min(window.columns.end) };
-                if span.start < span.end {
-                    draw(span)?;
+                let (start, end) =
+                    (left.column.max(window.columns.start), right.column.min(window.columns.end));
+                if start < end {
+                    draw(Span { y, start, end })?;
                 }
-                long.step();
-                short.step();
+                left.step();
+                right.step();
                 y += 1;
             }
+            long = if middle_is_right { left } else { right };
         }
         Ok(())
     }

@@ -99,7 +99,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     fn shade(&self, (): &(), start: [Attribute; 3], step: [Attribute; 3], run: &mut [P]) {
         let mut colour = start;
         for pixel in run {
-            *pixel = P::from_channels(colour.map(|c| (c.to_bits() >> 16) as u8));
+            *pixel = P::from_fixed(colour);
             colour = colour.plus(step);
         }
     }

@@ -146,9 +146,12 @@ impl Correction for PerPixel {
         let [least_u, least_v] = triangle.least;
         let down = 31 - triangle.span_log2;
         let mut over_w = start;
+        let [q, ..] = start.map(Inverse::to_bits);
+        let mut inverse = recip::Pixel::new(q.max(1).unsigned_abs());
         for pixel in pixels {
             let [q, u, v] = over_w.map(Inverse::to_bits);
-            let (reciprocal, shift) = recip::pixel(q.max(1).unsigned_abs());
+            let reciprocal = inverse.of(q.max(1).unsigned_abs());
+            let shift = inverse.shift;
             // u / q in 31 fraction bits, from 17 of u and the reciprocal's 16. Interpolation may run some steps below
             // 0, or above q, for which the top bit is left free: q has a leading zero, as it is signed.
             let part =

@@ -7,7 +7,7 @@ use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
-use crate::texture::Texture;
+use crate::texture::{Texture, Wrap};
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -31,6 +31,29 @@ impl<'a, C: Correction> Textured<'a, C> {
     /// The texture, with texels found by `correction`.
     pub const fn new(texture: &Texture<'a>, correction: C) -> Self {
         Self { texture: *texture, correction }
+    }
+
+    /// Hands each pixel of a run to `each` with its texel. What lies beyond the edges is decided once a run.
+    #[inline(always)]
+    fn walk<T>(
+        &self,
+        triangle: &C::Triangle,
+        start: C::Varying,
+        step: C::Varying,
+        pixels: impl Iterator<Item = T>,
+        mut each: impl FnMut(T, u16),
+    ) {
+        let Self { texture, correction } = *self;
+        match texture.wrap() {
+            Wrap::Repeat => {
+                correction
+                    .walk(triangle, start, step, pixels, |pixel, u, v| each(pixel, texture.repeated(u, v)));
+            }
+            Wrap::Clamp => {
+                correction
+                    .walk(triangle, start, step, pixels, |pixel, u, v| each(pixel, texture.clamped(u, v)));
+            }
+        }
     }
 
     /// The same under a light that falls on each vertex by its normal.
@@ -101,9 +124,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
 
     #[inline(never)]
     fn shade(&self, triangle: &C::Triangle, start: C::Varying, step: C::Varying, run: &mut [P]) {
-        self.correction.walk(triangle, start, step, run.iter_mut(), |pixel, u, v| {
-            *pixel = P::from_texel(self.texture.texel(u, v));
-        });
+        self.walk(triangle, start, step, run.iter_mut(), |pixel, texel| *pixel = P::from_texel(texel));
     }
 }
 
@@ -171,10 +192,10 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         run: &mut [P],
     ) {
         let mut light = start.1;
-        self.0.correction.walk(triangle, start.0, step.0, run.iter_mut(), |pixel, u, v| {
+        self.0.walk(triangle, start.0, step.0, run.iter_mut(), |pixel, texel| {
             // Interpolation may leave the range by less than the half that rounds.
             let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
-            *pixel = P::lit_texel(self.0.texture.texel(u, v), steps);
+            *pixel = P::lit_texel(texel, steps);
             light = light.plus(step.1);
         });
     }

@@ -156,7 +156,10 @@ impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, '_, P, D> {
         let first = row + span.start as usize;
         let length = (span.end - span.start) as usize;
         D::runs(depths, first..first + length, depth.0, depth.1, |run| {
-            let start = shading.start.plus(shading.step.times((run.start - first) as i32));
+            let start = match run.start - first {
+                0 => shading.start,
+                steps => shading.start.plus(shading.step.times(steps as i32)),
+            };
             if let Some(pixels) = colours.get_mut(run) {
                 shading.shader.shade(shading.triangle, start, shading.step, pixels);
             }
