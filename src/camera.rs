@@ -141,7 +141,8 @@ impl Orthographic {
     /// A camera for a target of `size` pixels that sees `height` from top to bottom, and `depth` along its axis from
     /// the near to the far plane, in the scene's unit.
     ///
-    /// Where `near < far` does not hold, or the height is not positive, the camera is not valid and draws nothing.
+    /// Where `near < far` does not hold, the height is not positive, or any of them is not finite, the camera is not
+    /// valid and draws nothing.
     pub fn new(size: Size, height: f32, depth: Range<f32>) -> Self {
         let (near, far) = (depth.start, depth.end);
         let y = 2.0 / height;
@@ -152,7 +153,8 @@ impl Orthographic {
             [0.0, 0.0, -z, -z * near],
             [0.0, 0.0, 0.0, 1.0],
         ];
-        Self(Placed::new(size, if height > 0.0 && far > near { projection } else { NOWHERE }))
+        let possible = height > 0.0 && far > near && height.is_finite() && (far - near).is_finite();
+        Self(Placed::new(size, if possible { projection } else { NOWHERE }))
     }
 
     /// Puts the camera at `eye` and turns it towards `target`, with the scene's y up.
@@ -281,6 +283,10 @@ fn unit(vector: [f32; 3]) -> [f32; 3] {
     let largest = vector.iter().fold(0.0, |most: f32, c| if c.abs() > most { c.abs() } else { most });
     let vector = vector.map(|c| c / largest);
     let square = dot(vector, vector);
+    // 1 to 3 where there is a direction; `invsqrt` counts on a positive number.
+    if !(0.5..4.0).contains(&square) {
+        return [f32::NAN; 3];
+    }
     // Off by 3.4 % at the most; three Newton steps leave 0.17 %, 4.6e-6 and 3e-11.
     let mut inverse = F32Ext::invsqrt(square);
     for _ in 0..3 {

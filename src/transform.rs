@@ -229,9 +229,10 @@ impl Projection {
         };
         let (left, right) = self.viewport.guard(self.viewport.width());
         let (top, bottom) = self.viewport.guard(self.viewport.height());
-        // A vertex that was clipped to the guard rectangle can round to just outside of it.
-        let x = (cx + snap(at.x)).max(left).min(right);
-        let y = (cy + snap(at.y)).max(top).min(bottom);
+        // A vertex that was clipped to the guard rectangle can round to just outside of it; and a camera that claims to
+        // be level, and is not, can put one anywhere.
+        let x = cx.wrapping_add(snap(at.x)).max(left).min(right);
+        let y = cy.wrapping_add(snap(at.y)).max(top).min(bottom);
         Snapped::from_bits(x, y)
     }
 }

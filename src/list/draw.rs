@@ -52,8 +52,9 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         };
         let start = self.used_words;
         let first = (start - base) / Drawing::<C, S, P, D>::STRIDE;
-        if let Err(words) = self.reserve(mesh.positions().len() * Drawing::<C, S, P, D>::STRIDE) {
-            return Err(DrawError::Full { triangles: faces, words });
+        let words = mesh.positions().len() * Drawing::<C, S, P, D>::STRIDE;
+        if !self.reserve(words) {
+            return Err(DrawError::Full { triangles: faces, words: words - self.free() });
         }
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
@@ -68,7 +69,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
                 }
             }
         }
-        left_out.result()
+        left_out.result(self.free())
     }
 
     /// Where a shader is kept, and the first word of its vertices: the same place as an equal one before it, as long
@@ -94,14 +95,18 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         Ok(((self.shaders.len() - 1) as u8, base))
     }
 
-    /// Takes words for vertices; or tells how many are missing.
-    fn reserve(&mut self, words: usize) -> Result<(), usize> {
-        let end = self.used_words + words;
-        if end > self.words.len() {
-            return Err(end - self.words.len());
+    /// Words that are not used.
+    fn free(&self) -> usize {
+        self.words.len() - self.used_words
+    }
+
+    /// Takes words for vertices, if there are as many.
+    fn reserve(&mut self, words: usize) -> bool {
+        let fits = words <= self.free();
+        if fits {
+            self.used_words += words;
         }
-        self.used_words = end;
-        Ok(())
+        fits
     }
 
     /// The first two words of a vertex.
@@ -161,8 +166,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let stride = Drawing::<C, S, P, D>::STRIDE;
         let start = self.used_words;
         let first = (start - drawing.base) / stride;
-        let named = if first + polygon.len() <= MAX_NAMED { Ok(()) } else { Err(polygon.len() * stride) };
-        if let Err(words) = named.and_then(|()| self.reserve(polygon.len() * stride)) {
+        let words = polygon.len() * stride;
+        if first + polygon.len() > MAX_NAMED || !self.reserve(words) {
             left_out.triangles += polygon.len().saturating_sub(2);
             left_out.words += words;
             return;
@@ -189,7 +194,7 @@ fn centres(ends: [i32; 3], length: i32) -> (u16, u16) {
     (inside(a.min(b).min(c)), inside(a.max(b).max(c)))
 }
 
-/// What did not fit.
+/// What did not fit: triangles, and the words of those that were clipped.
 #[derive(Default)]
 struct LeftOut {
     triangles: usize,
@@ -197,8 +202,10 @@ struct LeftOut {
 }
 
 impl LeftOut {
-    fn result(self) -> Result<(), DrawError> {
+    /// With as many words free in the end.
+    fn result(self, free: usize) -> Result<(), DrawError> {
         let Self { triangles, words } = self;
+        let words = words.saturating_sub(free);
         if triangles == 0 { Ok(()) } else { Err(DrawError::Full { triangles, words }) }
     }
 }

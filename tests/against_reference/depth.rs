@@ -6,7 +6,7 @@ use reference::raster::covers;
 use reference::setup::{Triangle, area2};
 use reference::transform::depth;
 use reference::varying::linear;
-use scenes::{SCENES, Shade, View};
+use scenes::{Method, SCENES, Shade, View};
 use topleft::{Camera, Cull, Depth16, DrawList, Flat, ListTriangle, Material, Mesh, Pose, Strip, Turn};
 
 use crate::probe::{SIZE, exact_camera, exact_perspective, range, snapped, w_of};
@@ -80,7 +80,7 @@ fn codes<C: Camera>(camera: &C, projected: Projected, seed: u64) -> (u64, u64) {
     (compared, other)
 }
 
-/// Turned red by: another code for the far plane, z / w for 1 - z / w, depth from 1/w, a nearness of 16 bits.
+/// Turned red by: another code for the far plane, z / w for 1 - z / w, a nearness of 16 bits.
 #[test]
 fn codes_are_those_of_the_exact_plane() {
     for (name, (compared, other)) in [
@@ -96,18 +96,21 @@ fn codes_are_those_of_the_exact_plane() {
 
 /// Depth is a function of geometry and camera alone.
 ///
-/// Turned red by: a shader that keeps 1/w for depth, a vertex stage that clips by shader.
+/// Turned red by: a vertex whose depth and 1/w are taken for each other.
 #[test]
 fn all_ways_of_shading_leave_the_same_depths() {
     const WIDTH: u16 = 120;
     for scene in SCENES {
         for turn in [0, 77] {
             let mut before: Option<Vec<u16>> = None;
-            for shade in Shade::ALL {
+            for (shade, method) in
+                Shade::ALL.into_iter().flat_map(|shade| Method::ALL.map(|method| (shade, method)))
+            {
                 let mut words = vec![0; 1 << 16];
                 let mut triangles = vec![ListTriangle::EMPTY; 4000];
                 let mut list = DrawList::<u16, Depth16>::new(&mut words, &mut triangles);
                 let view = View { turn: Turn::from_degrees(turn), shade: Some(shade), ..View::default() };
+                let view = View { method: Some(method), ..view };
                 scene.draw(&mut list, Size::new(WIDTH.into(), 100), &view).unwrap();
                 let (mut cells, mut depths) = (vec![0; WIDTH as usize * 100], vec![0; WIDTH as usize * 100]);
                 let mut strip = Strip::new(WIDTH, &mut cells).unwrap().with_depth(&mut depths).unwrap();

@@ -4,16 +4,20 @@
 //! (`cargo test --test against_reference -- --nocapture`).
 #![allow(clippy::disallowed_types, reason = "the reference computes with floats")]
 
-#[path = "../support/tolerance.rs"]
-mod tolerance;
+#[path = "../support/mod.rs"]
+mod support;
 
 mod random;
 mod probe;
+mod patches;
 
 mod numbers;
 mod light;
 mod texture;
 mod interpolation;
+mod vertices;
 mod depth;
 mod texels;
 mod frames;
+
+use support::tolerance;

@@ -1,6 +1,7 @@
 //! Ways to see what the library computes between a vertex and a pixel.
 
 use embedded_graphics_core::geometry::Size;
+use reference::matrix::Matrix;
 use reference::setup::Triangle;
 use reference::varying::linear;
 use topleft::stages::{
@@ -55,6 +56,12 @@ pub(crate) fn slopes(triangle: Triangle, values: [f64; 3]) -> [f64; 2] {
     [at(1, 0) - at(0, 0), at(0, 1) - at(0, 0)]
 }
 
+/// A matrix of the library's, exactly.
+pub(crate) fn exact(matrix: &topleft::Matrix) -> Matrix {
+    let unit = 2.0_f64.powi(-matrix.exponent());
+    Matrix([0, 1, 2, 3].map(|row| matrix.row(row).map(|mantissa| f64::from(mantissa) * unit)))
+}
+
 /// The widest side of a target that [`exact_camera`] sees.
 pub(crate) const SIZE: u32 = 256;
 
@@ -97,6 +104,14 @@ pub(crate) struct Seen {
     pub(crate) values: [i32; 3],
 }
 
+impl Seen {
+    /// The face that is seen, if one is.
+    pub(crate) fn face(&self) -> Option<usize> {
+        let [a, b, c] = self.face;
+        (u32::from_le_bytes([a, b, c, 0]) as usize).checked_sub(1)
+    }
+}
+
 /// The cell that nothing was drawn to.
 pub(crate) const UNSEEN: Seen = Seen { face: [0; 3], values: [0; 3] };
 
@@ -116,8 +131,12 @@ impl Pixel for Seen {
     }
 }
 
-/// Shows values given a vertex, as they are interpolated, and faces counted from 1.
-pub(crate) struct Probe<'v>(pub(crate) &'v [[Attribute; 3]]);
+/// Shows values given a vertex, as they are interpolated, and faces by their number.
+pub(crate) struct Probe<'v> {
+    pub(crate) values: &'v [[Attribute; 3]],
+    /// The number of the mesh's face 0.
+    pub(crate) first_face: usize,
+}
 
 #[derive(Clone, Copy)]
 pub(crate) struct ProbePixel;
@@ -139,12 +158,12 @@ impl<'a> Shader<'a, Seen> for Probe<'_> {
     fn local(&self, _: &Mesh<'_>, _: &Pose) {}
 
     fn vertex(&self, (): &(), _: &Mesh<'_>, vertex: usize) -> ([Attribute; 2], Attribute) {
-        let [a, b, c] = self.0.get(vertex).copied().unwrap_or_default();
+        let [a, b, c] = self.values.get(vertex).copied().unwrap_or_default();
         ([a, b], c)
     }
 
     fn face(&self, (): &(), _: &Mesh<'_>, face: usize) -> [u8; 3] {
-        face_colour(face)
+        face_colour(self.first_face + face)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use reference::setup::{Triangle, area2};
 
-/// A stream of numbers (SplitMix64).
+/// A stream of numbers (`SplitMix64`).
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -12,9 +12,9 @@ impl Random {
 
     pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ mixed >> 31
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
     }
 
     /// From `low` to `high`, both possible.
@@ -80,7 +80,7 @@ impl Kind {
                 let part = random.within(0, 256) as i32;
                 let beside = if self == Self::Needle { 1 } else { 40 };
                 let mut aside = || random.within(-beside, beside) as i32;
-                let between = |from: i32, to: i32| from + ((to - from) * part >> 8);
+                let between = |from: i32, to: i32| from + (((to - from) * part) >> 8);
                 [a, b, [between(a[0], b[0]) + aside(), between(a[1], b[1]) + aside()]]
             }
             Self::Guard => {

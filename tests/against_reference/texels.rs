@@ -9,7 +9,7 @@ use topleft::{
 
 use crate::probe::{Covered, SIZE, exact_perspective, range, sampled, snapped, w_of};
 use crate::random::{Kind, Random};
-use crate::tolerance::{REACHED, SIXTEENTH, interpolation, per_pixel};
+use crate::tolerance::{SIXTEENTH, interpolation, per_pixel};
 
 /// A texture of 256 x 256 whose texels say where they are.
 fn map() -> Vec<u16> {
@@ -103,7 +103,7 @@ const RATIOS: [f64; 4] = [1.5, 4.0, 16.0, 64.0];
 const KINDS: [Kind; 6] =
     [Kind::Ordinary, Kind::Small, Kind::FullScreen, Kind::Sliver, Kind::Needle, Kind::Guard];
 
-/// Turned red by: a reciprocal table of 32 entries, no interpolation between entries, 24 bits of 1/w, affine texels.
+/// Turned red by: a reciprocal that is interpolated in quarters or not at all, 1/w of 17 bits.
 #[test]
 fn per_pixel_perspective_is_within_its_bound() {
     for kind in KINDS {
@@ -116,16 +116,17 @@ fn per_pixel_perspective_is_within_its_bound() {
                 "per pixel, {kind:?}, w 1:{ratio}: {texels:.4} of 256 texels, {share:.3} of the bound; {wide:.3} of \
                  32768, {wide_share:.3}"
             );
-            // On the screen, what the issue asks for. From anchors in the guard margin the derived bound holds alone.
+            // On the screen, what is promised. From anchors in the guard margin the derived bound holds alone.
             assert!(kind == Kind::Guard || texels <= SIXTEENTH, "{kind:?}, {ratio}: {texels} texels");
-            assert!(wide_share >= REACHED / 2.0, "{kind:?}, {ratio}: not hard enough, {wide_share}");
+            // The chord alone is two thirds of the bound, and a truncation takes up to a third back.
+            assert!(wide_share >= 0.25, "{kind:?}, {ratio}: not hard enough, {wide_share}");
         }
     }
     // The derived bound itself keeps the promise on a screen of 320 x 240.
     assert!(256.0 * per_pixel(560, 1.0 / 128.0) <= SIXTEENTH);
 }
 
-/// Turned red by: rounding texels to nearest, truncated gradients.
+/// Turned red by: texels that are rounded to nearest, truncated gradients.
 #[test]
 fn affine_texels_are_those_of_the_plane() {
     for kind in KINDS {
@@ -137,7 +138,7 @@ fn affine_texels_are_those_of_the_plane() {
 
 /// From the mesh through vertex stage, list and strip to the texel, at w ratios up to 64.
 ///
-/// Turned red by: 1/w of another vertex, texture coordinates that are halved, u for v.
+/// Turned red by: another vertex's 1/w, u for v, vertices that are snapped by truncation.
 #[test]
 fn the_whole_path_shows_the_same_texels() {
     let texels = map();
@@ -199,7 +200,7 @@ fn the_whole_path_shows_the_same_texels() {
 
 /// The shader shows the texel that its correction finds, with `shade` as it is called for a run.
 ///
-/// Turned red by: a shader that fetches row for column, or that does not step.
+/// Turned red by: u for v.
 #[test]
 fn a_texture_is_fetched_where_the_correction_says() {
     let texels = map();

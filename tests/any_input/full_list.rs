@@ -1,0 +1,69 @@
+//! Lists that are too small for what is drawn into them.
+
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use topleft::{Cull, Depth16, DrawError, DrawList, Flat, ListTriangle, Mesh, Perspective, Pose, Stats, Turn};
+
+/// A fan of `faces` round the origin, seen from so near that the near plane cuts it, or from afar.
+fn fan_mesh(faces: usize) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
+    let mut positions = vec![[0, 0, 0]];
+    for k in 0..faces {
+        let (sin, cos) = (k as f64 * core::f64::consts::TAU / faces as f64).sin_cos();
+        positions.push([(cos * 32_000.0) as i16, (sin * 12_000.0) as i16, (sin * 32_000.0) as i16]);
+    }
+    let ring = |k: usize| (k % faces + 1) as u16;
+    (positions, (0..faces).map(|k| [0, ring(k), ring(k + 1)]).collect())
+}
+
+/// A list of this size, with a fan drawn into it.
+fn into_list(faces: usize, near: bool, [words, triangles]: [usize; 2]) -> (Result<(), DrawError>, Stats) {
+    let (positions, indices) = fan_mesh(faces);
+    let mesh = Mesh::new(&positions, &indices).unwrap();
+    let mut storage = (vec![0; words], vec![ListTriangle::EMPTY; triangles]);
+    let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+    list.set_cull(Cull::None);
+    let eye = if near { [0.0, 0.3, 0.2] } else { [0.0, 2.5, 4.0] };
+    let camera =
+        Perspective::new(Size::new(64, 64), Turn::from_degrees(70), 0.1..20.0).look_at(eye, [0.0; 3]);
+    let result = list.draw(&camera, &mesh, &Pose::new(), &Flat::new(Rgb565::RED));
+    (result, list.stats())
+}
+
+/// Turned red by: a full list that says nothing, words that are missing of the last triangle only.
+#[test]
+fn a_full_list_says_how_much_did_not_fit() {
+    for (faces, near) in [(40, false), (40, true), (7, true)] {
+        let (result, all) = into_list(faces, near, [4000, 400]);
+        assert_eq!(result, Ok(()));
+        assert_eq!(near, all.clipped > 0, "{all:?}");
+        assert!(all.drawn > faces / 3, "{all:?}");
+        for words in (0..600).step_by(13).chain([4000]) {
+            for triangles in (0..all.drawn + 3).step_by(3) {
+                let (result, stats) = into_list(faces, near, [words, triangles]);
+                let Err(error) = result else {
+                    assert_eq!(stats, all);
+                    continue;
+                };
+                let DrawError::Full { triangles: more, words: more_words } = error else {
+                    panic!("{error:?}")
+                };
+                assert!(more > 0 && stats.drawn <= triangles && stats.faces == faces, "{error:?} {stats:?}");
+                // What did fit is drawn.
+                let vertices = 3 * (faces + 1);
+                if words < vertices {
+                    assert_eq!((more, more_words, stats.drawn), (faces, vertices - words, 0));
+                } else if words == 4000 {
+                    assert_eq!(stats.drawn, triangles, "{error:?} {stats:?}");
+                }
+                // As much more is enough; for what is clipped, the words are known once the vertices fit.
+                let larger = [words + more_words, triangles + more];
+                let (again, after) = into_list(faces, near, larger);
+                let enough = again.is_ok() && after == all;
+                assert!(
+                    enough || words < vertices,
+                    "{words} words, {triangles} triangles: {error:?}, then {again:?}"
+                );
+            }
+        }
+    }
+}
