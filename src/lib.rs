@@ -65,8 +65,8 @@
 //!    triangle starts with. (`tests/same_bytes.rs`)
 //! 3. **A stated error.** A value with 16 fraction bits, n columns and m rows from its triangle's first vertex, is off by
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
-//!    [`PerPixel`] by at most `U 2^-13 + 2^-8` on a texture of U texels, up to a ratio of w of 64.
-//!    (`tests/against_reference`)
+//!    [`PerPixel`] by at most `U 2^-13`, with U the power of two of texels that holds the triangle's, up to a ratio of w
+//!    of 64. (`tests/against_reference`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
 //!    not fit is handed back to the caller. (`tests/any_input`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene

@@ -4,6 +4,8 @@
 //! A matrix element has 31 bits and a position 16, and their product is taken as two 32-bit ones: no 64-bit product,
 //! no float. A clip coordinate is off by at most 3 steps (one truncation a product) plus the matrix's own rounding
 //! (2^-30 of its largest element), where the largest that a vertex of the mesh can have is between 2^29 and 2^30.
+//! The pose's part of that matrix is as fine as a [`Length`](crate::Length): a mesh stands, and is as large, as it says
+//! to 2^-17 of the scene's unit.
 
 use crate::attributes::Words;
 use crate::camera::Camera;
@@ -125,9 +127,9 @@ pub(crate) struct Projection {
     pub(crate) reach_log2: u32,
 }
 
-/// 1/w of a vertex as a small float: 27 bits, shifted right by the last 5. All vertices of a mesh share its unit.
+/// 1/w of a vertex as a small float: 26 bits or 27, shifted right by the last 5. All vertices of a mesh share its unit.
 ///
-/// Its step is 2^-26 of itself, as if the vertex had been moved by that part of its distance.
+/// It is rounded down by at most 2^-25 of itself, as if the vertex had been moved by that part of its distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PerVertexInverse(u32);
 

@@ -32,7 +32,7 @@ impl Turn {
         self.0
     }
 
-    /// The sine in 30 fraction bits, within ±2^-17.6.
+    /// The sine in 30 fraction bits, within ±2^-15.6: the table's rounding and the chord below the arc.
     pub(crate) fn sin(self) -> i32 {
         let quadrant = self.0 >> 14;
         let within = self.0 & 0x3FFF;
@@ -47,7 +47,7 @@ impl Turn {
         if quadrant & 2 == 0 { sine } else { -sine }
     }
 
-    /// The cosine in 30 fraction bits, within ±2^-17.6.
+    /// The cosine in 30 fraction bits, within ±2^-15.6: the table's rounding and the chord below the arc.
     pub(crate) fn cos(self) -> i32 {
         Self(self.0.wrapping_add(0x4000)).sin()
     }
