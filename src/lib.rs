@@ -62,15 +62,16 @@
 //!    belongs to exactly one triangle: no cracks and no double hits, whatever the triangles, the strips or the traversal.
 //!    (`tests/coverage`)
 //! 2. **The same everywhere.** The same scene gives the same bytes, whole frame or in strips, whichever vertex a
-//!    triangle starts with. (`tests/same_bytes.rs`)
+//!    triangle starts with, and whichever chip draws it. (`tests/same_bytes.rs`, `firmware/bench/tests/same_everywhere.rs`)
 //! 3. **A stated error.** A value with 16 fraction bits, n columns and m rows from its triangle's first vertex, is off by
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
 //!    [`PerPixel`] by at most `U 2^-13`, with U the power of two of texels that holds the triangle's, up to a ratio of w
-//!    of 64. (`tests/against_reference`)
+//!    of 64 and within 500 pixels of that vertex; a depth by `(n + m + 2) 2^-17 + 2^-11` codes.
+//!    (`tests/against_reference`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
 //!    not fit is handed back to the caller. (`tests/any_input`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
-//!    without them has no buffer, no cycle and no code for them.
+//!    without them has no buffer, no cycle and no code for them. (`docs/measured/`: `flat` against the others)
 //!
 //! # Conventions
 //!

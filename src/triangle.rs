@@ -3,7 +3,6 @@
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use embedded_graphics_core::primitives::Rectangle;
 
 use crate::clip::{ClipVertex, Outcode, clip, from_least};
 use crate::math::format::{Attribute, SUBPIXELS};
@@ -103,19 +102,6 @@ where
     }
 }
 
-/// The largest viewport that a bounding box starts with.
-fn viewport(area: &Rectangle) -> Viewport {
-    let mut size = area.size;
-    loop {
-        match Viewport::new(size) {
-            Ok(viewport) => return viewport,
-            // Few rows are left after a dozen rounds: the loop ends.
-            Err(_) if size.width > 8190 => size.width = 8190,
-            Err(_) => size.height /= 2,
-        }
-    }
-}
-
 /// Clips, fans and draws a triangle as clip vertices with a w of one.
 fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>>(
     shader: &S,
@@ -125,7 +111,7 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     target: &mut D,
 ) -> Result<(), D::Error> {
     let area = target.bounding_box();
-    let projection = Projection::of_pixels(viewport(&area));
+    let projection = Projection::of_pixels(Viewport::largest(area.size));
     let ([a, b, c], [p, q, r]) = (points.map(position), attributes);
     let corners = [(a, p), (b, q), (c, r)].map(|(position, attributes)| ClipVertex { position, attributes });
     let codes = [a, b, c].map(|at| Outcode::new(&at, &projection).0);
@@ -135,7 +121,10 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     }
     let snap =
         |vertex: &ClipVertex<S::Vertex>| projection.project(&vertex.position, Projection::inverse(ONE));
-    let polygon = from_least(&clip(corners, Outcode(d | e | f), &projection), |vertex| snap(vertex).order());
+    let polygon = from_least(&clip(corners, Outcode(d | e | f), &projection), |vertex| {
+        let at = vertex.position;
+        (snap(vertex).order(), at.x, at.y)
+    });
     let mut display = Display {
         origin: area.top_left,
         window: Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() },

@@ -71,6 +71,14 @@ impl Viewport {
         Ok(Self { width: width as u16, height: height as u16, margin: low as u16 })
     }
 
+    /// As much of a target from its top left as a viewport can hold.
+    pub(crate) fn largest(Size { width, height }: Size) -> Self {
+        let width = width.min(MAX_WIDTH - 1);
+        let height = height.min(MAX_HEIGHT - 1).min((MAX_AREA - 1) / (width + 1) - 1);
+        // It fits by what was just computed; an empty one draws nothing.
+        Self::new(Size::new(width, height)).unwrap_or(Self { width: 0, height: 0, margin: 0 })
+    }
+
     /// Width and height in pixels.
     pub const fn size(&self) -> Size {
         Size::new(self.width as u32, self.height as u32)
@@ -115,6 +123,12 @@ mod tests {
             let margin = u32::from(viewport.margin());
             assert!(fits(margin), "{w}x{h}");
             assert!(margin == MAX_MARGIN || !fits(margin + 1), "{w}x{h}");
+        }
+        for ((w, h), fits) in
+            [((100, 5000), (100, 4094)), ((4096, 2160), (4096, 2046)), ((9000, 9), (8190, 9))]
+        {
+            let (w, h) = (Viewport::largest(Size::new(w, h)).size(), fits);
+            assert_eq!((w.width, w.height), h);
         }
         for (w, h) in [(8191, 1), (1, 4095), (2896, 2896), (u32::MAX, u32::MAX)] {
             assert_eq!(Viewport::new(Size::new(w, h)), Err(TooLarge(Size::new(w, h))));

@@ -37,6 +37,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             self.stats.outside += faces;
             return Ok(());
         }
+        let before = self.used_words;
         let (kept, base) = self.keep::<S::Pixel>(&shader.pixel(), mesh.positions().len())?;
         let viewport = transform.projection.viewport;
         self.size = [viewport.width(), viewport.height()];
@@ -54,7 +55,10 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let first = (start - base) / Drawing::<C, S, P, D>::STRIDE;
         let words = mesh.positions().len() * Drawing::<C, S, P, D>::STRIDE;
         if !self.reserve(words) {
-            return Err(DrawError::Full { triangles: faces, words: words - self.free() });
+            // Without padding again: nothing of this mesh is in the list.
+            let missing = self.used_words + words - self.words.len();
+            self.used_words = before;
+            return Err(DrawError::Full { triangles: faces, words: missing });
         }
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
@@ -83,10 +87,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms == uniforms;
             if same && named + vertices <= MAX_NAMED {
                 // Other shaders' vertices may lie between: the next ones start at a whole number of these.
-                let aligned = kept.base + named * stride;
-                if aligned <= self.words.len() {
-                    self.used_words = aligned;
-                }
+                self.used_words = kept.base + named * stride;
                 return Ok((place as u8, kept.base));
             }
         }
@@ -97,7 +98,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
 
     /// Words that are not used.
     fn free(&self) -> usize {
-        self.words.len() - self.used_words
+        self.words.len().saturating_sub(self.used_words)
     }
 
     /// Takes words for vertices, if there are as many.

@@ -11,7 +11,7 @@ use crate::depth::Depth;
 /// let mut storage: ListStorage<2400, 1000> = ListStorage::new();
 /// let list: DrawList<u16, Depth16> = storage.list();
 /// assert_eq!(list.words(), 0);
-/// assert_eq!(size_of::<ListStorage<2400, 1000>>(), 2400 * 4 + 1000 * 16);
+/// assert_eq!(size_of::<ListStorage<2400, 1000>>(), 2400 * 4 + 1000 * 14);
 /// ```
 #[derive(Clone, Debug)]
 pub struct ListStorage<const WORDS: usize, const TRIANGLES: usize> {

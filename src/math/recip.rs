@@ -1,4 +1,5 @@
-//! Reciprocals and roots: the only divisions of the library, apart from the slope of a shallow edge and the clipper.
+//! Reciprocals and roots. Elsewhere only edges and the clipper divide: the slope of a shallow edge, an edge that starts
+//! above its window, and where an edge crosses a plane.
 //!
 //! All of them are defined to the bit: a table, linear interpolation and Newton steps in integers, so that no chip's
 //! divider can change a pixel. The three names are the three uses.

@@ -35,7 +35,8 @@ where
         shading: Shading<'_, S, S::Triangle, S::Varying>,
     ) -> Result<(), T::Error> {
         let length = (span.end - span.start).unsigned_abs();
-        let area = Rectangle::new(self.origin + Point::new(span.start, span.y), Size::new(length, 1));
+        let at = Point::new(self.origin.x.saturating_add(span.start), self.origin.y.saturating_add(span.y));
+        let area = Rectangle::new(at, Size::new(length, 1));
         match shading.shader.solid(shading.triangle) {
             Some(colour) => self.target.fill_solid(&area, colour),
             None => self.target.fill_contiguous(&area, Colours::new(shading, length)),

@@ -182,7 +182,8 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
         T: DrawTarget,
         T::Color: From<P>,
     {
-        let area = Rectangle::new(origin + Point::new(0, top), Size::new(columns, rows));
+        let area =
+            Rectangle::new(Point::new(origin.x, origin.y.saturating_add(top)), Size::new(columns, rows));
         let row = usize::from(self.width).max(1);
         let colours = self.colours.chunks(row).take(rows as usize);
         let colours = colours.flat_map(|row| row.iter().take(columns as usize));

@@ -51,10 +51,10 @@ impl Model {
     pub fn fit(mut self, half: f64) -> Self {
         let [low, high] = bounds(&self.positions);
         let centre = std::array::from_fn::<_, 3, _>(|axis| f64::midpoint(low[axis], high[axis]));
-        let extent = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max) / 2.0;
+        let extent = (0..3).map(|axis| high[axis] / 2.0 - low[axis] / 2.0).fold(0.0, f64::max);
         let factor = if extent > 0.0 { half / extent } else { 1.0 };
         for position in &mut self.positions {
-            *position = std::array::from_fn(|axis| (position[axis] - centre[axis]) * factor);
+            *position = std::array::from_fn(|axis| position[axis] * factor - centre[axis] * factor);
         }
         self
     }

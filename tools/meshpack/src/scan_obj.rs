@@ -124,7 +124,9 @@ impl<'a> Scan<'a> {
         let (mut position, more) = three("v", words)?;
         match *more {
             // A fourth number divides the other three.
-            [w] if w != 0.0 => position = position.map(|coordinate| coordinate / w),
+            [w] if position.iter().all(|coordinate| (coordinate / w).is_finite()) => {
+                position = position.map(|coordinate| coordinate / w);
+            }
             [w] => return Err(Problem::NotFinite { keyword: "v".into(), value: format!("1/{w}") }),
             [r, g, b, ..] => self.colours.push([r, g, b]),
             _ => {}
