@@ -16,9 +16,13 @@ pub(crate) fn texture(path: impl AsRef<Path>) -> Result<Texture<'static>, String
 /// The same scene, its turning objects with another texture.
 pub(crate) fn with_texture(scene: Scene, texture: Option<Texture<'static>>) -> Scene {
     let Some(texture) = texture else { return scene };
+    let takes = |object: &Object| object.spin != Spin::Still && !object.mesh.uvs().is_empty();
+    if !scene.objects.iter().any(takes) {
+        eprintln!("{}: nothing that turns has texture coordinates: drawn without the texture", scene.name);
+    }
     let objects = scene.objects.iter().map(|object| {
         let look = Look { texture, shade: Shade::Lit, ..object.look };
-        if object.spin == Spin::Still { *object } else { Object { look, ..*object } }
+        if takes(object) { Object { look, ..*object } } else { *object }
     });
     Scene { objects: Vec::leak(objects.collect()), ..scene }
 }
@@ -36,6 +40,12 @@ pub(crate) fn mesh(path: &Path, texture: Option<Texture<'static>>) -> Result<Sce
         }
         (given, _) => given,
     };
+    if texture.is_some() && model.uvs.is_empty() {
+        eprintln!("{}: has no texture coordinates: drawn without the texture", path.display());
+    }
+    if model.textures.len() > 1 {
+        eprintln!("{}: names {} textures: the first is drawn", path.display(), model.textures.len());
+    }
     let packed = model.fit(1.0).quantise().map_err(|error| error.to_string())?;
     let mesh: &'static Mesh<'static> = Box::leak(Box::new(Box::leak(Box::new(packed)).mesh()));
     let material = if mesh.vertex_colours().is_empty() && mesh.face_colours().is_empty() {

@@ -2,7 +2,10 @@
 
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use topleft::{Cull, Depth16, DrawError, DrawList, Flat, ListTriangle, Mesh, Perspective, Pose, Stats, Turn};
+use topleft::{
+    Cull, Depth16, DrawError, DrawList, Flat, Gouraud, ListTriangle, Material, Mesh, Perspective, Pose,
+    Stats, Turn,
+};
 
 /// A fan of `faces` round the origin, seen from so near that the near plane cuts it, or from afar.
 fn fan_mesh(faces: usize) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
@@ -65,5 +68,28 @@ fn a_full_list_says_how_much_did_not_fit() {
                 );
             }
         }
+    }
+}
+
+/// Turned red by: padding between the vertices of two shaders that is not counted as missing.
+#[test]
+fn what_is_missing_counts_the_padding_too() {
+    let (positions, indices) = fan_mesh(3);
+    let mesh = Mesh::new(&positions, &indices).unwrap();
+    let camera = Perspective::new(Size::new(64, 64), Turn::from_degrees(70), 0.1..20.0)
+        .look_at([0.0, 2.5, 4.0], [0.0; 3]);
+    // Vertices of three words, then of four, then of three again: 12, 16, 2 to spare, 12.
+    let thrice = |words: usize| {
+        let mut storage = (vec![0; words], vec![ListTriangle::EMPTY; 20]);
+        let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+        list.set_cull(Cull::None);
+        let flat = Flat::new(Rgb565::RED);
+        list.draw(&camera, &mesh, &Pose::new(), &flat).unwrap();
+        list.draw(&camera, &mesh, &Pose::new(), &Gouraud::unlit(&Material::OfMesh)).unwrap();
+        list.draw(&camera, &mesh, &Pose::new(), &flat)
+    };
+    assert_eq!(thrice(42), Ok(()));
+    for words in 28..42 {
+        assert_eq!(thrice(words), Err(DrawError::Full { triangles: 3, words: 42 - words }));
     }
 }
