@@ -69,7 +69,8 @@
 //!    of 64 and within 500 pixels of that vertex; a depth by `(n + m + 2) 2^-17 + 2^-11` codes.
 //!    (`tests/against_reference`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
-//!    not fit is handed back to the caller. (`tests/any_input`)
+//!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`,
+//!    `tools/link-check`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
 //!    without them has no buffer, no cycle and no code for them. (`docs/measured/`: `flat` against the others)
 //!
