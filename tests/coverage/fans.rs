@@ -12,8 +12,8 @@ use topleft::stages::Traversal;
 use topleft::{BoxWalk, Coord, Point as Corner, ShadedTriangle, Spans};
 
 use crate::support::counter::StrictDisplay;
+use crate::support::winding::{Edge, hits, winding_of};
 use crate::support::{check, same};
-use crate::winding::{Edge, hits, winding_of};
 use embedded_graphics::pixelcolor::Rgb565;
 
 const WIDTH: usize = 40;

@@ -8,6 +8,6 @@ mod support;
 
 mod drawings;
 mod fans;
+mod many;
 mod meshes;
 mod triangles;
-mod winding;

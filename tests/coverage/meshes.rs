@@ -1,6 +1,6 @@
 //! Meshes through the whole path: planar ones, closed ones and convex ones, whole, near-clipped and guard-clipped.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::ops::Range;
 
 use embedded_graphics::prelude::Size;
@@ -10,8 +10,9 @@ use scenes::mesh::{CUBE, FLOOR, GRID240, ICOSPHERE, ICOSPHERE_FINE, TEAPOT, TORU
 use topleft::{Length, Mesh, Orthographic, Perspective, Pose, Turn};
 
 use crate::support::counter::{ALL, BACKS, Drawn, FRONTS, WINDING, draw};
+use crate::support::polygons::polygons;
+use crate::support::winding::{Edge, winding_of};
 use crate::support::{check, same};
-use crate::winding::{Edge, winding_of};
 
 /// A point of the scene.
 type Eye = [f32; 3];
@@ -55,44 +56,6 @@ fn camera(eye: Eye, target: Eye, degrees: i32, depth: Range<f32>) -> Perspective
     let camera = Perspective::new(SIZE, Turn::from_degrees(degrees), depth).look_at(eye, target);
     assert!(camera.is_valid());
     camera
-}
-
-/// What clipping and snapping leave of each face, as the list has it: three vertices or more, or none.
-struct Polygons {
-    edges: Vec<Edge>,
-    /// Where clipping made vertices.
-    made: HashSet<[i32; 2]>,
-}
-
-/// Each face drawn alone: what its vertices become does not depend on any other.
-fn polygons(camera: &Perspective, mesh: &Mesh<'_>, pose: &Pose) -> Polygons {
-    let mut polygons = Polygons { edges: Vec::new(), made: HashSet::new() };
-    let [low, high] = mesh.bounds();
-    for face in mesh.faces() {
-        let [a, b, c] = face.map(|vertex| mesh.positions()[usize::from(vertex)]);
-        // The ends of the mesh's box, so that the face is not rejected as a mesh of its own.
-        let positions = [a, b, c, low, high];
-        let alone = Mesh::new(&positions, &[[0, 1, 2]]).expect("three vertices");
-        let drawn = draw(camera, &alone.with_box(mesh.centre(), mesh.half()), pose, ALL);
-        let places = drawn.words.chunks(2).map(|at| [0, 1].map(|axis| at[axis].cast_signed()));
-        let places: Vec<[i32; 2]> = places.collect();
-        let Some((corners, clipped)) = places.split_at_checked(positions.len()) else { continue };
-        let corners = &corners[..3];
-        let polygon = if drawn.clipped == 1 {
-            // A new vertex may lie where a corner is: then the place is there once more.
-            let times = |places: &[[i32; 2]], place| places.iter().filter(|&&other| other == place).count();
-            let new = |&&place: &&[i32; 2]| times(clipped, place) > times(corners, place);
-            polygons.made.extend(clipped.iter().filter(new));
-            clipped
-        } else if corners.iter().any(|&[x, _]| x == i32::MIN) {
-            continue;
-        } else {
-            corners
-        };
-        let next = polygon.iter().cycle().skip(1);
-        polygons.edges.extend(polygon.iter().zip(next).map(|(&from, &to)| [from, to]));
-    }
-    polygons
 }
 
 /// What is left of directed edges when those that run both ways are taken out.
@@ -183,7 +146,7 @@ fn a_floor_under_the_viewer_is_hit_once_up_to_its_border() {
         let camera = camera([eye[0], eye[1].abs() + 0.1, eye[2]], [0.0, -0.2, 0.0], 70, 0.25..20.0);
         let drawn = draw(&camera, &FLOOR, &Pose::new(), ALL);
         clipped += drawn.clipped;
-        let expected = winding_of(&polygons(&camera, &FLOOR, &Pose::new()).edges, WIDTH, HEIGHT);
+        let expected = winding_of(&polygons(&camera, &FLOOR, &Pose::new()).edges(), WIDTH, HEIGHT);
         assert!(expected.iter().all(|&hits| hits == 0 || hits == 1));
         same(&format!("eye {eye:?}"), WIDTH, &drawn.hits, &expected).unwrap();
     }
@@ -291,11 +254,12 @@ fn closed_meshes_cut_by_the_near_and_far_planes_wind_round_the_cut() {
                 let what = format!("{name} from {eye:?}");
                 let ours = camera(eye, [0.1, 0.0, -0.1], 60, depth.clone());
                 let polygons = polygons(&ours, &mesh, &Pose::new());
-                let cut = uncancelled(&polygons.edges);
+                let edges_left = polygons.edges();
+                let cut = uncancelled(&edges_left);
                 let torn = cut.iter().find(|edge| edge.iter().any(|end| !polygons.made.contains(end)));
                 assert_eq!(torn, None, "{what}: an edge is left open");
                 let drawn = draw(&ours, &mesh, &Pose::new(), WINDING);
-                let expected = winding_of(&polygons.edges, WIDTH, HEIGHT);
+                let expected = winding_of(&edges_left, WIDTH, HEIGHT);
                 same(&what, WIDTH, &drawn.hits, &expected).unwrap();
                 (clipped, edges) = (clipped + drawn.clipped / 2, edges + cut.len());
                 pixels += expected.iter().filter(|&&winding| winding != 0).count();

@@ -2,44 +2,12 @@
 
 use std::cell::Cell;
 
-use reference::raster::row_span;
-use reference::setup::{Triangle, area2};
-use topleft::stages::{Span, Traversal, Window};
+use topleft::stages::Window;
 use topleft::{BoxWalk, Spans};
 
 use crate::support::check;
+use crate::support::exact::{compare, expected};
 use crate::support::strategies::{Case, guard_sized, near_ties, slivers};
-use crate::winding::setup;
-
-/// Compares the spans of one traversal with those of the reference, and gives back the pixels in them.
-fn compare<T: Traversal>(triangle: Triangle, window: &Window, expected: &[Span]) -> Result<(), String> {
-    let Some(setup) = setup(triangle) else {
-        return if area2(triangle) == 0 { Ok(()) } else { Err("a triangle with an area is left out".into()) };
-    };
-    let mut rest = expected.iter();
-    T::walk(&setup, window, |span| match rest.next() {
-        Some(&right) if right == span => Ok(()),
-        right => Err(format!("{} has {span:?} instead of {right:?}", std::any::type_name::<T>())),
-    })?;
-    match rest.next() {
-        None => Ok(()),
-        Some(span) => Err(format!("{} misses {span:?}", std::any::type_name::<T>())),
-    }
-}
-
-/// The exact spans of a triangle inside a window.
-fn expected(triangle: Triangle, window: &Window) -> Vec<Span> {
-    if area2(triangle) == 0 {
-        return Vec::new();
-    }
-    let span = |y: i32| {
-        let (start, end) = row_span(triangle, i64::from(y))?;
-        let start = start.max(i64::from(window.columns.start)) as i32;
-        let end = end.min(i64::from(window.columns.end)) as i32;
-        (start < end).then_some(Span { y, start, end })
-    };
-    window.rows.clone().filter_map(span).collect()
-}
 
 fn agree(cases: u32, strategy: &impl proptest::strategy::Strategy<Value = Case>) {
     let (visible, pixels) = (Cell::new(0_u64), Cell::new(0_u64));

@@ -2,8 +2,8 @@
 
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use topleft::stages::{PerVertexInverse, PixelShader, Shader, Uniforms};
-use topleft::{Camera, Cull, DrawList, ListTriangle, Mesh, NoDepth, Pixel as Cell, Pose, Strip};
+use topleft::stages::{PerVertexInverse, PixelShader, Shader, Traversal, Uniforms};
+use topleft::{Camera, Cull, DrawList, ListTriangle, Mesh, NoDepth, Pixel as Cell, Pose, Spans, Strip};
 
 /// A cell of a strip that adds up what hits it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,23 +81,52 @@ pub(crate) struct Drawn {
 
 /// Draws a mesh once for each entry of `passes`, adding its number to the pixels of the faces that it leaves in.
 pub(crate) fn draw(camera: &impl Camera, mesh: &Mesh<'_>, pose: &Pose, passes: &[(Cull, i32)]) -> Drawn {
+    draw_by::<Spans>(camera, mesh, pose, passes)
+}
+
+/// The same by a traversal.
+pub(crate) fn draw_by<T: Traversal>(
+    camera: &impl Camera,
+    mesh: &Mesh<'_>,
+    pose: &Pose,
+    passes: &[(Cull, i32)],
+) -> Drawn {
     let size = camera.viewport().expect("the target is not too large").size();
+    let mut cells = vec![Hits(0); (size.width * size.height) as usize];
+    let mut drawn = listed::<T>(camera, mesh, pose, passes, |list| {
+        let mut strip = Strip::new(size.width as u16, &mut cells).expect("there is a cell for each pixel");
+        list.render(0..size.height.cast_signed(), &mut strip);
+    });
+    drawn.hits = cells.iter().map(|cell| cell.0).collect();
+    drawn
+}
+
+/// A mesh in a list, and no pixel drawn.
+pub(crate) fn placed(camera: &impl Camera, mesh: &Mesh<'_>, pose: &Pose) -> Drawn {
+    listed::<Spans>(camera, mesh, pose, ALL, |_| {})
+}
+
+fn listed<T: Traversal>(
+    camera: &impl Camera,
+    mesh: &Mesh<'_>,
+    pose: &Pose,
+    passes: &[(Cull, i32)],
+    then: impl FnOnce(&DrawList<'_, Hits, NoDepth, T>),
+) -> Drawn {
     // Two words a vertex; clipping makes up to nine vertices, and seven triangles, of a face.
     let most = mesh.faces().len() * passes.len();
     let mut words = vec![0; (mesh.positions().len() * passes.len() + most * 9) * 2];
     let mut triangles = vec![ListTriangle::EMPTY; most * 7];
-    let mut cells = vec![Hits(0); (size.width * size.height) as usize];
-    let mut list = DrawList::<Hits, NoDepth>::new(&mut words, &mut triangles);
+    let mut list = DrawList::<Hits, NoDepth, T>::with_traversal(&mut words, &mut triangles);
     for &(cull, number) in passes {
         list.set_cull(cull);
         list.draw(camera, mesh, pose, &Add(number)).expect("the list is long enough");
     }
-    let mut strip = Strip::new(size.width as u16, &mut cells).expect("there is a cell for each pixel");
-    list.render(0..size.height.cast_signed(), &mut strip);
+    then(&list);
     let (clipped, used) = (list.stats().clipped, list.words());
     drop(list);
     words.truncate(used);
-    Drawn { hits: cells.iter().map(|cell| cell.0).collect(), words, clipped }
+    Drawn { hits: Vec::new(), words, clipped }
 }
 
 /// How many triangles hit each pixel, whichever way they face.

@@ -2,8 +2,11 @@
 #![allow(dead_code, unused_imports, reason = "each test binary uses a part of it")]
 
 pub(crate) mod counter;
+pub(crate) mod exact;
+pub(crate) mod polygons;
 pub(crate) mod strategies;
 pub(crate) mod tolerance;
+pub(crate) mod winding;
 
 use std::fmt::Debug;
 
