@@ -20,6 +20,7 @@ use topleft::{
 };
 
 use support::counter::StrictDisplay;
+use support::frame::{Frame, rendered};
 use support::strategies::{MeshData, mesh_data};
 use support::{check, same};
 
@@ -35,41 +36,11 @@ trait Drawing {
     fn draw<T: Traversal>(&self, list: &mut DrawList<'_, u16, Depth16, T>);
 }
 
-/// A frame's bytes.
-#[derive(Clone, PartialEq)]
-struct Frame {
-    width: usize,
-    colours: Vec<u16>,
-    depths: Vec<u16>,
-}
-
-impl Frame {
-    fn same(&self, what: &str, expected: &Self) -> Result<(), String> {
-        same(&format!("{what}: colour"), self.width, &self.colours, &expected.colours)?;
-        same(&format!("{what}: depth"), self.width, &self.depths, &expected.depths)
-    }
-
-    fn seen(&self) -> usize {
-        self.depths.iter().filter(|&&depth| depth != 0).count()
-    }
-}
-
 const BACKGROUND: u16 = 0x1234;
 
 /// Renders a list into a frame by strips of `rows` rows each.
 fn render<T: Traversal>(list: &DrawList<'_, u16, Depth16, T>, size: Size, rows: usize) -> Frame {
-    let [width, height] = [size.width, size.height].map(|length| length as usize);
-    // What was there before must not matter.
-    let mut frame = Frame { width, colours: vec![7; width * height], depths: vec![7; width * height] };
-    let strips = frame.colours.chunks_mut(rows * width).zip(frame.depths.chunks_mut(rows * width));
-    for (number, (colours, depths)) in strips.enumerate() {
-        let strip = Strip::new(size.width as u16, colours).expect("whole rows");
-        let mut strip = strip.with_depth(depths).expect("as many depths").with_background(BACKGROUND);
-        strip.clear();
-        let top = (number * rows) as i32;
-        list.render(top..top + rows as i32, &mut strip);
-    }
-    frame
+    rendered(list, size.width as usize, 0..size.height.cast_signed(), rows, BACKGROUND)
 }
 
 /// Draws into a new list by a traversal, and hands it over.
@@ -366,12 +337,6 @@ fn a_strip_shows_its_part_of_the_frame_wherever_it_is() {
                 [(60, -7, 20), (60, 11, 30), (60, 40, 20), (60, 47, 1), (31, 0, 48), (1, 9, 9), (75, -3, 60)]
             {
                 let what = format!("{name}, {width} columns of rows {top} to {}", top + rows);
-                let cells = (width * rows) as usize;
-                let (mut colours, mut depths) = (vec![0; cells], vec![0; cells]);
-                let strip = Strip::new(width as u16, &mut colours).expect("whole rows");
-                let mut strip = strip.with_depth(&mut depths).expect("as many").with_background(BACKGROUND);
-                strip.clear();
-                list.render(top..top + rows, &mut strip);
                 // What lies beyond the frame is background.
                 let part = |of: &[u16], outside: u16| -> Vec<u16> {
                     let places = (top..top + rows).flat_map(|y| (0..width).map(move |x| (x, y)));
@@ -380,9 +345,9 @@ fn a_strip_shows_its_part_of_the_frame_wherever_it_is() {
                     };
                     places.map(|place| inside(place).map_or(outside, |i| of[i])).collect()
                 };
-                let got = Frame { width: width as usize, colours, depths };
-                let width = width as usize;
                 let (colours, depths) = (part(&expected.colours, BACKGROUND), part(&expected.depths, 0));
+                let width = width as usize;
+                let got = rendered(list, width, top..top + rows, rows as usize, BACKGROUND);
                 got.same(&what, &Frame { width, colours, depths }).unwrap();
             }
         });

@@ -8,6 +8,7 @@ mod support;
 
 mod counting;
 mod edges;
+mod flat;
 
 mod triangles;
 mod meshes;

@@ -8,11 +8,12 @@ use proptest::prelude::*;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
     Affine, BoxWalk, Camera, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle,
-    Material, Matrix, MatrixCamera, Mesh, NoDepth, Orthographic, PerPixel, Perspective, Pose, Spans, Strip,
-    Sun, Textured, Turn, Wrap,
+    Material, Matrix, MatrixCamera, Mesh, NoDepth, Orthographic, PerPixel, Perspective, Pose, Spans, Stats,
+    Strip, Sun, Textured, Turn, Wrap,
 };
 
 use crate::support::check;
+use crate::support::stats::adds_up;
 use crate::texture;
 
 /// Storage of a list.
@@ -147,17 +148,7 @@ impl Case {
         let mut list = DrawList::<u16, Depth16, T>::with_traversal(words, triangles);
         list.set_cull([Cull::None, Cull::Front, Cull::Back][self.turns[0] as usize % 3]);
         let result = list.draw(camera, mesh, &self.pose(), shader);
-        let stats = list.stats();
-        let faces = mesh.faces().len();
-        let left_out = match result {
-            Ok(()) => 0,
-            Err(DrawError::Full { triangles, .. }) => triangles,
-            Err(other) => return Err(format!("{other:?}")),
-        };
-        let known = stats.drawn + stats.culled + stats.outside + left_out;
-        if stats.faces != faces || known + stats.clipped < faces || (stats.clipped == 0 && known != faces) {
-            return Err(format!("{faces} faces do not add up: {stats:?}, {left_out} left out"));
-        }
+        adds_up(Stats::default(), list.stats(), result, mesh.faces().len())?;
         let (mut cells, mut depths) = ([GUARD; 40 * 25], [GUARD; 40 * 25]);
         let strip = Strip::new(40, &mut cells[40..40 * 24]).unwrap();
         let mut strip = strip.with_depth(&mut depths[40..40 * 24]).unwrap();
@@ -241,6 +232,6 @@ fn a_target_that_is_too_large_is_refused() {
         let camera = Perspective::new(size, Turn::from_degrees(50), 0.1..20.0);
         let result = list.draw(&camera, &mesh, &Pose::new(), &Flat::new(Rgb565::RED));
         assert_eq!(result, Err(DrawError::TooLarge(size)));
-        assert_eq!(list.stats(), topleft::Stats::default());
+        assert_eq!(list.stats(), Stats::default());
     }
 }

@@ -1,16 +1,11 @@
 //! Single triangles of any points, on any target.
 
-use embedded_graphics_core::Drawable;
-use embedded_graphics_core::geometry::Size;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use proptest::prelude::*;
-use reference::raster::covers;
-use topleft::{Attribute, Coord, Point, ShadedTriangle, Wrap, point};
+use topleft::{Coord, Point, point};
 
-use crate::counting::{Counting, targets};
-use crate::edges::to_edges;
+use crate::counting::targets;
+use crate::flat::{compare, draw_all_ways};
 use crate::support::check;
-use crate::support::tolerance::FLAT_CLIPPED;
 use crate::texture;
 
 /// Any coordinate in steps, often near a target, near its guard rectangle, or at an end of the range.
@@ -33,25 +28,6 @@ fn coordinate() -> impl Strategy<Value = i32> {
     ]
 }
 
-/// Draws a triangle all ways, which hit the same pixels: the target holds how often.
-fn draw_all_ways(points: [Point; 3], texels: [[i32; 2]; 3], target: &mut Counting) {
-    let colours = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE];
-    let texels = texels.map(|texel| texel.map(Attribute::from_bits));
-    let clamped = texture().with_wrap(Wrap::Clamp);
-    let mut hits = Vec::new();
-    for triangle in [
-        ShadedTriangle::flat(points, Rgb565::RED),
-        ShadedTriangle::new(points, colours),
-        ShadedTriangle::textured(points, texels, &texture()),
-        ShadedTriangle::textured(points, texels, &clamped),
-    ] {
-        target.hits.fill(0);
-        let Ok(()) = triangle.draw(target);
-        assert!(hits.is_empty() || hits == target.hits, "all ways hit the same pixels");
-        hits.clone_from(&target.hits);
-    }
-}
-
 /// Turned red by: no clipping at the guard rectangle, distances to it in 32 bits, 12 bits of t, a fan without its last
 /// triangle, a run that is one too long.
 #[test]
@@ -60,28 +36,7 @@ fn a_shaded_triangle_takes_any_point() {
     let texels = prop::array::uniform3(prop::array::uniform2(any::<i32>()));
     check(3000, &(points, texels), |(points, texels)| {
         for mut target in targets() {
-            let corners = points.map(|[x, y]| Point::new(Coord::from_bits(x), Coord::from_bits(y)));
-            draw_all_ways(corners, texels, &mut target);
-            let margin = 1024 * 256;
-            let Size { width, height } = target.area.size;
-            let whole = points.iter().all(|&[x, y]| {
-                (-margin..=width as i32 * 256 + margin).contains(&x)
-                    && (-margin..=height as i32 * 256 + margin).contains(&y)
-            });
-            for (index, &hits) in target.hits.iter().enumerate() {
-                let (x, y) = ((index as u32 % width) as i64, (index as u32 / width) as i64);
-                if hits == u32::from(covers(points, x, y)) {
-                    continue;
-                }
-                // Clipped at the guard rectangle, an edge is rounded there.
-                let far = to_edges(points, x, y);
-                if whole || hits > 1 || far > FLAT_CLIPPED {
-                    return Err(format!(
-                        "{hits} hits at {x}, {y} of {:?}, {far} steps from an edge",
-                        target.area
-                    ));
-                }
-            }
+            compare(points, texels, &texture(), &mut target)?;
         }
         Ok(())
     });
@@ -106,7 +61,8 @@ fn a_shaded_triangle_takes_any_float() {
     check(3000, &prop::array::uniform6(bits), |bits| {
         let [a, b, c, d, e, f] = bits.map(f32::from_bits);
         for mut target in targets() {
-            draw_all_ways([point(a, b), point(c, d), point(e, f)], [[0, 1], [2, 3], [4, 5]], &mut target);
+            let points = [point(a, b), point(c, d), point(e, f)];
+            draw_all_ways(points, [[0, 1], [2, 3], [4, 5]], &texture(), &mut target);
             if [a, b, c, d, e, f].iter().any(|c| !c.is_finite()) && target.hits.iter().any(|&hits| hits != 0)
             {
                 return Err("a corner that is nowhere was drawn".into());
@@ -132,7 +88,7 @@ fn nothing_is_drawn_of_what_has_no_area_or_is_elsewhere() {
     ] {
         for mut target in targets() {
             let points = corners.map(|[x, y]| Point::new(Coord::from_bits(x), Coord::from_bits(y)));
-            draw_all_ways(points, [[0; 2]; 3], &mut target);
+            draw_all_ways(points, [[0; 2]; 3], &texture(), &mut target);
             assert!(target.hits.iter().all(|&hits| hits == 0), "{corners:?}");
         }
     }
@@ -140,7 +96,7 @@ fn nothing_is_drawn_of_what_has_no_area_or_is_elsewhere() {
     let largest = [[i32::MIN, i32::MIN], [i32::MAX, i32::MIN], [0, i32::MAX]];
     for mut target in targets() {
         let points = largest.map(|[x, y]| Point::new(Coord::from_bits(x), Coord::from_bits(y)));
-        draw_all_ways(points, [[i32::MIN, i32::MAX]; 3], &mut target);
+        draw_all_ways(points, [[i32::MIN, i32::MAX]; 3], &texture(), &mut target);
         assert!(target.hits.iter().all(|&hits| hits == 1));
     }
 }

@@ -7,16 +7,11 @@ use std::cell::Cell;
 use embedded_graphics::prelude::Size;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use reference::raster::row_span;
-use reference::setup::area2;
 use scenes::mesh::{ICOSPHERE, TEAPOT, TORUS_KNOT};
-use topleft::stages::Traversal;
-use topleft::{BoxWalk, Camera, Length, Mesh, Orthographic, Perspective, Pose, Spans, Turn};
+use topleft::{Camera, Length, Mesh, Orthographic, Perspective, Pose, Turn};
 
-use crate::support::counter::{ALL, WINDING, draw_by};
-use crate::support::polygons::{Polygons, polygons};
-use crate::support::winding::winding_of;
-use crate::support::{check, same};
+use crate::support::check;
+use crate::support::exact::compare_mesh;
 
 /// Pixels that are compared, and pixels that each traversal hits, at the least.
 const PIXELS: u64 = 100_000_000;
@@ -102,24 +97,6 @@ fn add(count: &Cell<u64>, more: usize) {
     count.set(count.get() + more as u64);
 }
 
-/// How many of the triangles cover each pixel of a frame, row by row, in 128-bit integers.
-fn exact_hits(polygons: &Polygons, [width, height]: [usize; 2]) -> Vec<i32> {
-    let mut hits = vec![0; width * height];
-    for triangle in polygons.triangles().filter(|&triangle| area2(triangle) != 0) {
-        let rows = triangle.map(|[_, y]| y.div_euclid(256));
-        let [first, last] = [rows.iter().min(), rows.iter().max()].map(|row| row.copied().unwrap_or(0));
-        for y in first.max(0)..(last + 1).min(height as i32) {
-            let Some((start, end)) = row_span(triangle, y.into()) else { continue };
-            let [start, end] = [start, end].map(|x| x.clamp(0, width as i64) as usize);
-            let row = y as usize * width;
-            for hit in &mut hits[row + start..row + end] {
-                *hit += 1;
-            }
-        }
-    }
-    hits
-}
-
 impl View {
     fn compare(&self, counts: &Counts) -> Result<(), String> {
         let size = Size::new(self.size[0], self.size[1]);
@@ -137,15 +114,10 @@ impl View {
     }
 
     fn seen_by(&self, camera: &impl Camera, counts: &Counts) -> Result<(), String> {
-        let size = self.size.map(|length| length as usize);
         let mesh = Mesh::new(&self.positions, &self.faces).map_err(|error| error.to_string())?;
         let [x, y, z] = self.turns.map(Turn::new);
         let pose = Pose::new().turned_x(x).turned_y(y).turned_z(z).scaled(Length::from_bits(self.scale));
-        let polygons = polygons(camera, &mesh, &pose);
-        let expected = [exact_hits(&polygons, size), winding_of(&polygons.edges(), size[0], size[1])];
-        agree::<Spans>(camera, &mesh, &pose, &expected)?;
-        agree::<BoxWalk>(camera, &mesh, &pose, &expected)?;
-        let [hits, _] = expected;
+        let (polygons, hits) = compare_mesh(camera, &mesh, &pose)?;
         add(&counts.meshes, 1);
         add(&counts.clipped, polygons.clipped);
         add(&counts.triangles, polygons.triangles().count());
@@ -153,19 +125,6 @@ impl View {
         add(&counts.hits, hits.iter().sum::<i32>() as usize);
         Ok(())
     }
-}
-
-/// A traversal hits each pixel as often as is exact, and the fronts less the backs are its winding number.
-fn agree<T: Traversal>(
-    camera: &impl Camera,
-    mesh: &Mesh<'_>,
-    pose: &Pose,
-    [hits, winding]: &[Vec<i32>; 2],
-) -> Result<(), String> {
-    let by = std::any::type_name::<T>();
-    let width = camera.viewport().map_or(1, |viewport| viewport.size().width as usize);
-    same(&format!("hits by {by}"), width, &draw_by::<T>(camera, mesh, pose, ALL).hits, hits)?;
-    same(&format!("winding by {by}"), width, &draw_by::<T>(camera, mesh, pose, WINDING).hits, winding)
 }
 
 // Red when one pixel in 10^8 is hit once too often or too rarely, from the list's clipped vertices on.

@@ -1,10 +1,14 @@
-//! Spans of single triangles against the crossings of edges in 128-bit integers.
+//! Spans of single triangles, and hits of meshes, against the crossings of edges in 128-bit integers.
 
 use reference::raster::row_span;
 use reference::setup::{Triangle, area2};
 use topleft::stages::{Span, Traversal, Window};
+use topleft::{BoxWalk, Camera, Mesh, Pose, Spans};
 
-use super::winding::setup;
+use super::counter::{ALL, WINDING, draw_by};
+use super::polygons::{Polygons, polygons};
+use super::same;
+use super::winding::{setup, winding_of};
 
 /// Nothing where the spans of a traversal are those of the reference.
 pub(crate) fn compare<T: Traversal>(
@@ -38,4 +42,51 @@ pub(crate) fn expected(triangle: Triangle, window: &Window) -> Vec<Span> {
         (start < end).then_some(Span { y, start, end })
     };
     window.rows.clone().filter_map(span).collect()
+}
+
+/// A mesh's polygons and the exact hits of each pixel, where both traversals agree with them.
+pub(crate) fn compare_mesh(
+    camera: &impl Camera,
+    mesh: &Mesh<'_>,
+    pose: &Pose,
+) -> Result<(Polygons, Vec<i32>), String> {
+    let size = camera.viewport().map_err(|error| error.to_string())?.size();
+    let [width, height] = [size.width, size.height].map(|length| length as usize);
+    let polygons = polygons(camera, mesh, pose);
+    let expected = [exact_hits(&polygons, width, height), winding_of(&polygons.edges(), width, height)];
+    agree::<Spans>(camera, mesh, pose, &expected)?;
+    agree::<BoxWalk>(camera, mesh, pose, &expected)?;
+    let [hits, _] = expected;
+    Ok((polygons, hits))
+}
+
+/// A traversal hits each pixel as often as is exact, and the fronts less the backs are its winding number.
+fn agree<T: Traversal>(
+    camera: &impl Camera,
+    mesh: &Mesh<'_>,
+    pose: &Pose,
+    [hits, winding]: &[Vec<i32>; 2],
+) -> Result<(), String> {
+    let by = std::any::type_name::<T>();
+    let width = camera.viewport().map_or(1, |viewport| viewport.size().width as usize);
+    same(&format!("hits by {by}"), width, &draw_by::<T>(camera, mesh, pose, ALL).hits, hits)?;
+    same(&format!("winding by {by}"), width, &draw_by::<T>(camera, mesh, pose, WINDING).hits, winding)
+}
+
+/// How many of the triangles cover each pixel of a frame, row by row, in 128-bit integers.
+fn exact_hits(polygons: &Polygons, width: usize, height: usize) -> Vec<i32> {
+    let mut hits = vec![0; width * height];
+    for triangle in polygons.triangles().filter(|&triangle| area2(triangle) != 0) {
+        let rows = triangle.map(|[_, y]| y.div_euclid(256));
+        let [first, last] = [rows.iter().min(), rows.iter().max()].map(|row| row.copied().unwrap_or(0));
+        for y in first.max(0)..(last + 1).min(height as i32) {
+            let Some((start, end)) = row_span(triangle, y.into()) else { continue };
+            let [start, end] = [start, end].map(|x| x.clamp(0, width as i64) as usize);
+            let row = y as usize * width;
+            for hit in &mut hits[row + start..row + end] {
+                *hit += 1;
+            }
+        }
+    }
+    hits
 }

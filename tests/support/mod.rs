@@ -2,11 +2,16 @@
 #![allow(dead_code, unused_imports, reason = "each test binary uses a part of it")]
 
 pub(crate) mod counter;
+mod difference;
 pub(crate) mod exact;
+pub(crate) mod frame;
 pub(crate) mod polygons;
+pub(crate) mod stats;
 pub(crate) mod strategies;
 pub(crate) mod tolerance;
 pub(crate) mod winding;
+
+pub(crate) use difference::same;
 
 use std::fmt::Debug;
 
@@ -25,26 +30,5 @@ where
         TestRunner::new_with_rng(config, rng).run(strategy, |value| test(value).map_err(TestCaseError::fail));
     if let Err(error) = result {
         panic!("{error}");
-    }
-}
-
-/// Nothing where both are equal; else their first difference, as the pixel of a frame `width` pixels wide.
-pub(crate) fn same<T: PartialEq + Debug>(
-    what: &str,
-    width: usize,
-    got: &[T],
-    expected: &[T],
-) -> Result<(), String> {
-    if got.len() != expected.len() {
-        return Err(format!("{what}: {} pixels instead of {}", got.len(), expected.len()));
-    }
-    match got.iter().zip(expected).position(|(a, b)| a != b) {
-        None => Ok(()),
-        Some(i) => {
-            let (x, y) = (i % width.max(1), i / width.max(1));
-            let differing = got.iter().zip(expected).filter(|(a, b)| a != b).count();
-            let (a, b) = (&got[i], &expected[i]);
-            Err(format!("{what}: {a:?} instead of {b:?} at column {x}, row {y}; {differing} pixels differ"))
-        }
     }
 }
