@@ -9,7 +9,8 @@ use reference::varying::linear;
 use scenes::{Method, SCENES, Shade, View};
 use topleft::{Camera, Cull, Depth16, DrawList, Flat, ListTriangle, Material, Mesh, Pose, Strip, Turn};
 
-use crate::probe::{SIZE, exact_camera, exact_perspective, range, snapped, w_of};
+use crate::measured::{Errors, Row, hold};
+use crate::probe::{SIZE, exact_camera, exact_perspective, outside, range, snapped, w_of};
 use crate::random::Random;
 use crate::tolerance::{DEPTH_VERTEX, interpolation};
 
@@ -26,11 +27,10 @@ fn with_perspective(position: [i16; 3]) -> Option<([i32; 2], f64)> {
     Some((snapped(position, w)?, depth([0.0, 0.0, w - 1.0 / 64.0, w])))
 }
 
-/// The codes of single triangles; the worst excess over the exact plane, as a share of the bound, and how many of all
-/// codes are not the plane's own.
-fn codes<C: Camera>(camera: &C, projected: Projected, seed: u64) -> (u64, u64) {
+/// How far the codes of single triangles lie outside of the exact plane's, and how many of them are not the plane's own.
+fn codes<C: Camera>(camera: &C, projected: Projected, seed: u64) -> (Errors, u64) {
     let mut random = Random::new(seed);
-    let (mut compared, mut other) = (0_u64, 0_u64);
+    let (mut errors, mut other) = (Errors::default(), 0_u64);
     let (mut cells, mut depths) = (vec![0_u16; (SIZE * SIZE) as usize], vec![0_u16; (SIZE * SIZE) as usize]);
     let mut drawn = 0;
     while drawn < 300 {
@@ -69,29 +69,35 @@ fn codes<C: Camera>(camera: &C, projected: Projected, seed: u64) -> (u64, u64) {
             let steps =
                 x.abs_diff(i64::from(triangle[0][0] >> 8)) + y.abs_diff(i64::from(triangle[0][1] >> 8));
             let bound = interpolation(16, steps, range(values)) + DEPTH_VERTEX;
-            assert!(
-                code(exact - bound) <= ours && ours <= code(exact + bound),
-                "{positions:?} at {x}, {y}: {ours} for {exact}, give or take {bound:e}"
-            );
-            compared += 1;
+            errors.add(outside(ours.into(), exact), bound, || {
+                format!("{positions:?} at {x}, {y}: {ours} for {exact}")
+            });
             other += u64::from(ours != code(exact));
         }
     }
-    (compared, other)
+    (errors, other)
+}
+
+/// The codes in a buffer, without perspective and with it.
+pub(crate) fn in_buffer() -> Vec<Row> {
+    [
+        ("orthographic", codes(&exact_camera(), level, 5)),
+        ("perspective", codes(&exact_perspective(), with_perspective, 6)),
+    ]
+    .map(|(method, (errors, other))| {
+        let compared = errors.count();
+        // A plane that is off by b codes shows another code at no more than every 1/b-th pixel.
+        let share = interpolation(16, 512, 65_536.0) + DEPTH_VERTEX;
+        assert!(compared > 1_000_000 && (other as f64) < share * compared as f64, "{method}: {other}");
+        Row::new("depth", "triangles over 256 px", method, ["beyond its code", "code"], &errors)
+    })
+    .into()
 }
 
 /// Turned red by: another code for the far plane, z / w for 1 - z / w, a nearness of 16 bits.
 #[test]
 fn codes_are_those_of_the_exact_plane() {
-    for (name, (compared, other)) in [
-        ("orthographic", codes(&exact_camera(), level, 5)),
-        ("perspective", codes(&exact_perspective(), with_perspective, 6)),
-    ] {
-        println!("depth, {name}: {compared} px, {other} codes are the neighbour's");
-        // A plane that is off by b codes shows another code at no more than every 1/b-th pixel.
-        let share = interpolation(16, 512, 65_536.0) + DEPTH_VERTEX;
-        assert!(compared > 1_000_000 && (other as f64) < share * compared as f64);
-    }
+    hold(&in_buffer());
 }
 
 /// Depth is a function of geometry and camera alone.

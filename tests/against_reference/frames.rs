@@ -3,7 +3,6 @@
 //! A pixel within the error of a vertex of an edge may belong to either side; all else must agree.
 
 use embedded_graphics_core::geometry::Size;
-use reference::compare::{coverage, frame};
 use reference::raster::covers;
 use reference::setup::Triangle;
 use reference::shade::{from_rgb565, to_rgb565};
@@ -11,8 +10,9 @@ use reference::varying::linear;
 use scenes::{SCENES, Scene, Shade};
 use topleft::{Depth16, DrawList, ListTriangle, Material, Pixel, Strip, Turn};
 
+use crate::measured::{Errors, Row, hold};
 use crate::patches::{Frame, Patch};
-use crate::probe::{Probe, Seen, UNSEEN};
+use crate::probe::{Probe, Seen, UNSEEN, outside};
 use crate::tolerance::{LIGHT_STEPS, LIT, half, interpolation};
 
 /// Steps from a pixel's centre to the nearest edge of a triangle.
@@ -28,8 +28,28 @@ fn to_edge(triangle: Triangle, x: i64, y: i64) -> f64 {
     distance(a, b).min(distance(b, c)).min(distance(c, a))
 }
 
-/// Whether `ours` is a colour that the texture may show at a pixel; nothing where too many may.
-fn texture_shows(look: &scenes::Look, patch: &Patch, [x, y]: [i64; 2], ours: u16) -> Option<bool> {
+/// A colour that is held against what a pixel may show.
+struct Shown {
+    right: bool,
+    /// How far the furthest of what it may show is from the exact colour, channel by channel.
+    off: [f64; 3],
+}
+
+/// Half a step of each channel of RGB565, in codes of 255.
+const HALF_STEP: [f64; 3] = [255.0 / 62.0, 255.0 / 126.0, 255.0 / 62.0];
+
+fn apart(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| (a[k] - b[k]).abs())
+}
+
+/// Holds a colour against all that a texture may show at a pixel; nothing where too much may be.
+fn texture_shows(
+    look: &scenes::Look,
+    patch: &Patch,
+    [x, y]: [i64; 2],
+    ours: u16,
+    exact: [f64; 3],
+) -> Option<Shown> {
     let [(u, du), (v, dv)] = [patch.texel(0, x, y)?, patch.texel(1, x, y)?];
     let light = 64.0 * linear(patch.triangle, patch.varyings[0], x, y);
     let off = LIGHT_STEPS + 64.0 * patch.slope_error(patch.varyings[0]) + half(10);
@@ -38,23 +58,25 @@ fn texture_shows(look: &scenes::Look, patch: &Patch, [x, y]: [i64; 2], ours: u16
     } else {
         64..=64
     };
-    let columns = (u - du).floor() as i32..=(u + du).floor() as i32;
-    let shows = |(u, v): (i32, i32)| {
-        let texel = look.texture.texel(u, v);
-        lights.clone().any(|light| u16::lit_texel(texel, light) == ours)
-    };
-    Some(
-        columns
-            .flat_map(|u| ((v - dv).floor() as i32..=(v + dv).floor() as i32).map(move |v| (u, v)))
-            .any(shows),
-    )
+    let mut shown = Shown { right: false, off: [0.0; 3] };
+    for u in (u - du).floor() as i32..=(u + du).floor() as i32 {
+        for v in (v - dv).floor() as i32..=(v + dv).floor() as i32 {
+            let texel = look.texture.texel(u, v);
+            for colour in lights.clone().map(|light| u16::lit_texel(texel, light)) {
+                shown.right |= colour == ours;
+                let apart = apart(from_rgb565(colour), exact);
+                shown.off = [0, 1, 2].map(|k| shown.off[k].max(apart[k]));
+            }
+        }
+    }
+    Some(shown)
 }
 
-/// Whether a colour is right at a pixel that shows a patch; nothing where the bound says nothing.
-fn colour_is_right(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact: [f64; 3]) -> Option<bool> {
+/// Holds a colour against what a pixel that shows a patch may show; nothing where the bound says nothing.
+fn shown(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact: [f64; 3]) -> Option<Shown> {
     let look = &scene.objects[patch.object].look;
     match look.shade {
-        Shade::Plain => Some(ours == to_rgb565(exact)),
+        Shade::Plain => Some(Shown { right: ours == to_rgb565(exact), off: HALF_STEP }),
         Shade::Gouraud => {
             // Mixed at the guard rectangle, colours are not on one plane any more.
             if patch.clipped {
@@ -69,11 +91,10 @@ fn colour_is_right(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact:
                     .sum(),
             };
             let off = colour + LIT + 255.0 * interpolation(16, patch.steps(at[0], at[1]), 1.0) + half(7);
-            let step = [31.0, 63.0, 31.0].map(|most| 255.0 / most / 2.0);
-            let error = |k: usize| (from_rgb565(ours)[k] - exact[k]).abs();
-            Some((0..3).all(|k| error(k) <= off + step[k]))
+            let (off, apart) = (HALF_STEP.map(|step| step + off), apart(from_rgb565(ours), exact));
+            Some(Shown { right: (0..3).all(|k| apart[k] <= off[k]), off })
         }
-        _ => texture_shows(look, patch, at, ours),
+        _ => texture_shows(look, patch, at, ours, exact),
     }
 }
 
@@ -113,42 +134,65 @@ fn drawn(scene: &Scene, size: Size, view: &scenes::View) -> (Vec<Seen>, Vec<u16>
     (faces, colours, depths)
 }
 
+/// A scene from two sides, on two sizes of screen.
+pub(crate) fn of_scene(scene: &Scene) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (turn, size) in [(20, Size::new(240, 240)), (77, Size::new(160, 100))] {
+        let view = scenes::View { turn: Turn::from_degrees(turn), ..scenes::View::default() };
+        let frame_of = Frame::new(scene, size, &view);
+        let (faces, colours, depths) = drawn(scene, size, &view);
+        let name = format!("{} at {turn} degrees {}x{}", scene.name, size.width, size.height);
+        let result = compare(scene, &frame_of, &faces, &colours, &depths, &name);
+        assert!(result.colours.count() > 1500, "{name}: too little is compared");
+        assert!(result.any_texel * 20 < result.colours.count(), "{name}: the bounds say too little");
+        rows.extend(result.rows(&name, faces.len() as u64));
+    }
+    rows
+}
+
 /// Turned red by: y up, a sun that turns with the mesh, colours that are truncated, another far code, u for v.
 #[test]
 fn scenes_are_what_the_reference_draws() {
-    for scene in SCENES {
-        for (turn, size) in [(20, Size::new(240, 240)), (77, Size::new(160, 100))] {
-            let view = scenes::View { turn: Turn::from_degrees(turn), ..scenes::View::default() };
-            let frame_of = Frame::new(scene, size, &view);
-            let (faces, colours, depths) = drawn(scene, size, &view);
-            let name = format!("{} at {turn} degrees, {}x{}", scene.name, size.width, size.height);
-            let result = compare(scene, &frame_of, &faces, &colours, &depths, &name);
-            let counts = |covered: &dyn Fn(usize) -> bool| -> Vec<u32> {
-                (0..faces.len()).map(|index| u32::from(covered(index))).collect()
-            };
-            let ours: Vec<_> = colours.iter().map(|&colour| from_rgb565(colour)).collect();
-            let mut report = frame(&name, &ours, Some(&depths), &frame_of.image.quantised());
-            report.coverage = Some(coverage(
-                &counts(&|index| faces[index].face().is_some()),
-                &counts(&|index| frame_of.image.pixels()[index].face.is_some()),
-            ));
-            println!("{report}\n    {result:?}");
-            assert!(result.colours > 500, "{name}: too little is compared");
-        }
-    }
+    SCENES.iter().for_each(|scene| hold(&of_scene(scene)));
 }
 
-/// What was compared, and the worst of it.
+/// What was compared, and how far it is off.
 #[derive(Debug, Default)]
 struct Result {
-    /// Pixels that show another face, and the furthest of them from an edge in steps, as a share of the bound.
+    /// Pixels that show another face, all of them as near to an edge, or to the other's depth, as the bounds say.
     other_face: u64,
-    from_edge: f64,
-    /// Codes that differ, and the worst as a share of the bound.
-    depth: f64,
-    /// Colours compared, and pixels where too many texels may be right.
-    colours: u64,
+    /// Codes, beyond the exact one.
+    depth: Errors,
+    /// Channels of colours that are compared, and pixels where too many texels may be right.
+    colours: Errors,
     any_texel: u64,
+    /// Squares of the channels' errors, and of what they may be.
+    squares: [f64; 2],
+}
+
+impl Result {
+    fn rows(&self, name: &str, pixels: u64) -> [Row; 4] {
+        let channels = self.colours.count() as f64;
+        let [found, allowed] = self.squares.map(|sum| 10.0 * (255.0 * 255.0 * channels / sum).log10());
+        let colours =
+            Row::new("frames", name, "as the scene draws it", ["colour", "code of 255"], &self.colours);
+        let noise = Row {
+            metric: "PSNR (a least value)",
+            unit: "dB".into(),
+            measured_max: found,
+            measured_p999: found,
+            bound: allowed,
+            ratio: (self.squares[0] / self.squares[1]).sqrt(),
+            ..colours.clone()
+        };
+        let edges = format!("px; {} near an edge or as deep", self.other_face);
+        [
+            Row::none_of(pixels, &edges, "frames", name, "as the scene draws it"),
+            Row::new("frames", name, "as the scene draws it", ["depth beyond its code", "code"], &self.depth),
+            colours,
+            noise,
+        ]
+    }
 }
 
 fn compare(
@@ -185,27 +229,24 @@ fn compare(
                 share <= 1.0 || tie,
                 "{name}: face {ours:?} for {exact:?} at {x}, {y}, {share} of the bound"
             );
-            if !tie {
-                result.from_edge = result.from_edge.max(share);
-            }
             continue;
         }
         // On the edge of a fan inside a face, any of its triangles may be the one.
         let Some(patch) = patches(exact).iter().find(|patch| covers(patch.triangle, x, y)) else { continue };
         let (depth, off) = patch.depth(x, y);
-        let error = (f64::from(depths[index]) - depth).max(depth - f64::from(depths[index]) - 1.0);
-        assert!(
-            error <= off,
-            "{name}: depth {} for {depth} at {x}, {y}, off by more than {off}",
-            depths[index]
-        );
-        result.depth = result.depth.max(error / off);
-        match colour_is_right(scene, patch, [x, y], colours[index], pixel.colour) {
+        result.depth.add(outside(depths[index].into(), depth), off, || format!("{name} at {x}, {y}"));
+        match shown(scene, patch, [x, y], colours[index], pixel.colour) {
             None => result.any_texel += 1,
-            Some(right) => {
-                result.colours += 1;
-                let colour = from_rgb565(colours[index]);
-                assert!(right, "{name}: {colour:?} for {:?} at {x}, {y}", pixel.colour);
+            Some(shown) => {
+                let (colour, exact) = (from_rgb565(colours[index]), pixel.colour);
+                assert!(shown.right, "{name}: {colour:?} for {exact:?} at {x}, {y}");
+                for (apart, off) in apart(colour, exact).into_iter().zip(shown.off) {
+                    result
+                        .colours
+                        .add(apart, off, || format!("{name}: {colour:?} for {exact:?} at {x}, {y}"));
+                    result.squares[0] += apart * apart;
+                    result.squares[1] += off * off;
+                }
             }
         }
     }

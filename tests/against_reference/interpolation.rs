@@ -10,6 +10,7 @@ use topleft::{
     MatrixCamera, Mesh, Pose, Strip,
 };
 
+use crate::measured::{Errors, Row, hold};
 use crate::probe::{Covered, Probe, SIZE, UNSEEN, exact_camera, range, sampled, slopes, snapped};
 use crate::random::{Kind, Random};
 use crate::tolerance::{REACHED, interpolation, interpolation_by_design};
@@ -58,16 +59,21 @@ impl Format for Inverse {
     }
 }
 
-/// The worst error of a kind of triangle as a share of its bound, over `count` triangles.
-fn worst<V: Format>(kind: Kind, count: u32) -> f64 {
+/// A colour of 8 bits, of 32 random bits.
+fn colour(random: u64) -> Attribute {
+    Attribute::from_bits(((u64::from(random as u32) * (255 << 16)) >> 32) as i32)
+}
+
+/// The errors over `count` triangles of a kind, with values that `from_random` makes of 32 random bits.
+fn errors<V: Format>(kind: Kind, count: u32, from_random: fn(u64) -> V) -> Errors {
     let mut random = Random::new(kind as u64 * 77 + u64::from(V::BITS));
-    let mut worst = 0.0_f64;
+    let mut errors = Errors::default();
     for _ in 0..count {
         let covered = Covered::new(kind.triangle(&mut random));
         // Any values, and values that differ by little.
         let narrow = random.within(0, 31) as u32;
         let base = random.next();
-        let raw = [(); 3].map(|()| V::from_random(base ^ (random.next() as u32 >> narrow) as u64));
+        let raw = [(); 3].map(|()| from_random(base ^ (random.next() as u32 >> narrow) as u64));
         let values = raw.map(V::value);
         let gradients = covered.setup.gradients();
         let plane = V::plane(&gradients, raw);
@@ -84,42 +90,45 @@ fn worst<V: Format>(kind: Kind, count: u32) -> f64 {
                 let ours = start.plus(plane.dx.times(x - span.start)).value();
                 let exact = linear(covered.triangle, values, x.into(), span.y.into());
                 let steps = covered.steps(x, span.y);
-                let (error, bound) = ((ours - exact).abs(), interpolation(V::BITS, steps, range));
+                let bound = interpolation(V::BITS, steps, range);
                 assert!(bound <= interpolation_by_design(V::BITS, steps, range, over_the_box));
-                assert!(
-                    error <= bound,
-                    "{kind:?} {:?} {values:?}: {ours} for {exact} at {x}, {}: {error:e} > {bound:e}",
-                    covered.triangle,
-                    span.y
-                );
-                worst = worst.max(error / bound);
+                errors.add(ours - exact, bound, || {
+                    let triangle = covered.triangle;
+                    format!("{kind:?} {triangle:?} {values:?}: {ours} for {exact} at {x}, {}", span.y)
+                });
             }
         }
     }
-    worst
+    errors
+}
+
+/// What single triangles of a kind carry: values of any size, colours, depths and 1/w.
+pub(crate) fn of_kind(kind: Kind) -> Vec<Row> {
+    let count = if matches!(kind, Kind::Ordinary | Kind::FullScreen | Kind::Guard) { 1500 } else { 20_000 };
+    [
+        ("attribute", "1", errors(kind, count, Attribute::from_random)),
+        ("colour", "code of 255", errors(kind, count, colour)),
+        ("depth", "code", errors(kind, count, DepthCode::from_random)),
+        ("1/w", "1", errors(kind, count, Inverse::from_random)),
+    ]
+    .map(|(method, unit, errors)| {
+        Row::new("interpolation", kind.name(), method, ["value", unit], &errors).reaching(REACHED)
+    })
+    .into()
 }
 
 /// Turned red by: truncated gradients, a start that is not moved to the centre of its pixel, a reciprocal of the area
 /// without its second Newton step, gradients that saturate.
 #[test]
 fn interpolation_is_within_its_bound_on_every_kind_of_triangle() {
-    for kind in Kind::ALL {
-        let count =
-            if matches!(kind, Kind::Ordinary | Kind::FullScreen | Kind::Guard) { 1500 } else { 20_000 };
-        let shares =
-            [worst::<Attribute>(kind, count), worst::<DepthCode>(kind, count), worst::<Inverse>(kind, count)];
-        println!("interpolation, {kind:?}: {shares:.3?} of the bound (attribute, depth, 1/w)");
-        assert!(shares.iter().all(|&share| share >= REACHED), "{kind:?} is not hard enough: {shares:?}");
-    }
+    Kind::ALL.into_iter().for_each(|kind| hold(&of_kind(kind)));
 }
 
 /// Two triangles that hide each other in part, through list, strips, depth runs and shader.
 ///
-/// Turned red by: a run that starts with the value of its span.
-#[test]
-fn the_whole_path_hands_a_shader_the_same_values() {
+pub(crate) fn whole_path() -> Row {
     let mut random = Random::new(3);
-    let mut worst = 0.0_f64;
+    let mut errors = Errors::default();
     let (mut pixels, mut behind) = (0_u64, 0_u64);
     for round in 0..120 {
         // Eight times as wide, most vertices and many anchors are outside of the target.
@@ -164,10 +173,9 @@ fn the_whole_path_hands_a_shader_the_same_values() {
                     + (y - i64::from(triangle[0][1] >> 8)).unsigned_abs();
                 for (channel, &ours) in cell.values.iter().enumerate() {
                     let at_vertices = corners.map(|k| values[k][channel].value());
-                    let error = (f64::from(ours) / 65_536.0 - linear(triangle, at_vertices, x, y)).abs();
+                    let error = f64::from(ours) / 65_536.0 - linear(triangle, at_vertices, x, y);
                     let bound = interpolation(16, steps, range(at_vertices));
-                    assert!(error <= bound, "{positions:?} at {x}, {y}: {error:e} > {bound:e}");
-                    worst = worst.max(error / bound);
+                    errors.add(error, bound, || format!("{positions:?} at {x}, {y}"));
                 }
                 pixels += 1;
                 behind += u64::from(covering[0] && covering[1]);
@@ -175,8 +183,15 @@ fn the_whole_path_hands_a_shader_the_same_values() {
         }
         assert!(faces.iter().all(|&face| area2(face) != 0));
     }
-    println!("interpolation, whole path: {pixels} px, {behind} of them twice, {worst:.3} of the bound");
-    assert!(worst >= REACHED && behind * 10 > pixels);
+    assert!(behind * 10 > pixels, "{behind} of {pixels} px are covered twice");
+    Row::new("interpolation", "two triangles through strips", "attribute", ["value", "1"], &errors)
+        .reaching(REACHED)
+}
+
+/// Turned red by: a run that starts with the value of its span.
+#[test]
+fn the_whole_path_hands_a_shader_the_same_values() {
+    hold(&[whole_path()]);
 }
 
 /// [`exact_camera`] with x and y times `by`.

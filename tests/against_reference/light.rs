@@ -7,6 +7,7 @@ use reference::transform::{length, normal};
 use topleft::stages::Shader;
 use topleft::{Flat, Gouraud, Length, Material, Mesh, PerPixel, Pixel, Pose, Sun, Texture, Textured, Turn};
 
+use crate::measured::{Errors, Row, hold};
 use crate::random::Random;
 use crate::tolerance::{LIGHT_STEPS, LIT, PLANE_NORMAL};
 
@@ -61,12 +62,10 @@ fn normals(random: &mut Random) -> Vec<[i8; 3]> {
     normals
 }
 
-/// Turned red by: a sun that turns with the mesh, light that is not limited, colours that are truncated, a cosine of 8
-/// bits.
-#[test]
-fn vertices_are_lit_as_the_reference_says() {
+/// The colours of Gouraud's vertices, and the light of textured ones.
+pub(crate) fn on_vertices() -> Vec<Row> {
     let mut random = Random::new(21);
-    let (mut worst, mut worst_steps) = (0.0_f64, 0.0_f64);
+    let [mut colours, mut lights] = [(); 2].map(|()| Errors::default());
     for _ in 0..3000 {
         let case = Case::new(&mut random);
         let normals = normals(&mut random);
@@ -78,25 +77,34 @@ fn vertices_are_lit_as_the_reference_says() {
         let textured_local = Shader::<u16>::local(&textured, &mesh, &case.pose);
         for (vertex, &raw) in normals.iter().enumerate() {
             let error = case.error(Shader::<u16>::vertex(&gouraud, &local, &mesh, vertex), normal(raw));
-            assert!(error <= LIT, "{raw:?} under {:?}: off by {error}", case.light);
-            worst = worst.max(error);
+            colours.add(error, LIT, || format!("{raw:?} under {:?}", case.light));
             let (_, steps) = Shader::<u16>::vertex(&textured, &textured_local, &mesh, vertex);
             // A half is in it, for rounding.
             let steps = f64::from(steps.to_bits()) / 65_536.0 - 0.5;
-            let error = (steps - 64.0 * case.light.at(normal(raw))).abs();
-            assert!(error <= LIGHT_STEPS, "{raw:?} under {:?}: {error} steps of 64", case.light);
-            worst_steps = worst_steps.max(error);
+            let error = steps - 64.0 * case.light.at(normal(raw));
+            lights.add(error, LIGHT_STEPS, || format!("{raw:?} under {:?}", case.light));
         }
     }
-    println!("light: {worst:.4} of {LIT:.4} codes; {worst_steps:.5} of {LIGHT_STEPS:.5} steps of 64");
-    assert!(worst > 0.5 && worst_steps > LIGHT_STEPS / 8.0);
+    [
+        // Rounding alone is half a code.
+        Row::new("light", "random suns", "vertex", ["lit colour", "code of 255"], &colours)
+            .reaching(0.5 / LIT),
+        Row::new("light", "random suns", "vertex", ["light", "1/64"], &lights).reaching(0.125),
+    ]
+    .into()
 }
 
-/// Turned red by: a vertex's normal for the face's, a plane normal that points inwards.
+/// Turned red by: a sun that turns with the mesh, light that is not limited, colours that are truncated, a cosine of 8
+/// bits.
 #[test]
-fn faces_are_lit_by_their_normal_or_that_of_their_plane() {
+fn vertices_are_lit_as_the_reference_says() {
+    hold(&on_vertices());
+}
+
+/// The colours of faces, by their own normal and by that of their plane.
+pub(crate) fn on_faces() -> Vec<Row> {
     let mut random = Random::new(22);
-    let (mut own, mut of_plane) = (0.0_f64, 0.0_f64);
+    let [mut own, mut of_plane] = [(); 2].map(|()| Errors::default());
     for round in 0..20_000 {
         let case = Case::new(&mut random);
         let size = random.within(0, 14);
@@ -107,21 +115,28 @@ fn faces_are_lit_by_their_normal_or_that_of_their_plane() {
         let raw = normals(&mut random)[round % 70];
         let with_normal = mesh.with_face_normals(core::slice::from_ref(&raw)).unwrap();
         let error = case.error(Shader::<u16>::face(&flat, &local, &with_normal, 0), normal(raw));
-        assert!(error <= LIT, "{raw:?}: {error}");
-        own = own.max(error);
+        own.add(error, LIT, || format!("{raw:?}"));
         let [a, b, c] = positions.map(|p| p.map(f64::from));
         let across = cross(sub(b, a), sub(c, a));
         if dot(across, across) > 0.0 {
             let error = case.error(Shader::<u16>::face(&flat, &local, &mesh, 0), normalise(across));
-            assert!(error <= LIT + PLANE_NORMAL, "{positions:?}: {error}");
-            of_plane = of_plane.max(error);
+            of_plane.add(error, LIT + PLANE_NORMAL, || format!("{positions:?}"));
         }
     }
-    println!(
-        "light on faces: {own:.4} of {LIT:.4} codes; by the plane {of_plane:.4} of {:.4}",
-        LIT + PLANE_NORMAL
-    );
-    assert!(own > 0.49 && of_plane > PLANE_NORMAL / 4.0);
+    let row = |method, errors: &Errors| {
+        Row::new("light", "random suns", method, ["lit colour", "code of 255"], errors)
+    };
+    [
+        row("face", &own).reaching(0.49 / LIT),
+        row("plane of the face", &of_plane).reaching(0.25 * PLANE_NORMAL / (LIT + PLANE_NORMAL)),
+    ]
+    .into()
+}
+
+/// Turned red by: a vertex's normal for the face's, a plane normal that points inwards.
+#[test]
+fn faces_are_lit_by_their_normal_or_that_of_their_plane() {
+    hold(&on_faces());
 }
 
 /// Turned red by: 8 bits that are truncated to 5.

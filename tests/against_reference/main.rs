@@ -20,4 +20,4 @@ mod depth;
 mod texels;
 mod frames;
 
-use support::tolerance;
+use support::{measured, tolerance};

@@ -8,35 +8,46 @@ use topleft::{
     Strip, Turn,
 };
 
+use crate::measured::{Errors, Row, hold};
 use crate::probe::exact;
 use crate::random::Random;
-use crate::tolerance::{CAMERA, SINE, half};
+use crate::tolerance::{CAMERA, REACHED, SINE, half};
 
-/// Turned red by: a table without interpolation.
-#[test]
-fn sines_are_within_the_tables_bound() {
-    let mut worst = 0.0_f64;
+/// Every angle's sine and cosine.
+pub(crate) fn sines() -> Row {
+    let mut errors = Errors::default();
     let far = Length::from_num(32_767);
     for steps in 0..=u16::MAX {
         let turned = Pose::new().turned_z(Turn::new(steps)).apply([far, Length::ZERO, Length::ZERO]);
         let (sin, cos) = (f64::from(steps) / 65_536.0 * core::f64::consts::TAU).sin_cos();
         for (ours, exact) in [(turned[0], cos), (turned[1], sin)] {
-            let error = (length(ours) / 32_767.0 - exact).abs();
             // What `apply` rounds: half a step of 2^-16 in 32767.
-            assert!(error <= SINE + half(31), "{steps} steps: off by {error:e}");
-            worst = worst.max(error);
+            errors.add(length(ours) / 32_767.0 - exact, SINE + half(31), || format!("{steps} steps"));
         }
         assert_eq!(turned[2], Length::ZERO);
     }
-    println!("sine: 2^{:.2} of 2^{:.2}", worst.log2(), SINE.log2());
-    assert!(worst >= SINE / 2.0);
+    Row::new("camera", "every angle of 16 bits", "sine and cosine", ["value", "1"], &errors).reaching(REACHED)
 }
 
-/// The worst element of `ours`, as a share of what is allowed for its row.
-fn worst_share(ours: &Matrix, wanted: &Matrix, allowed: impl Fn(usize) -> f64) -> f64 {
-    let share =
-        |row: usize, column: usize| (ours.0[row][column] - wanted.0[row][column]).abs() / allowed(row);
-    (0..16).map(|i| share(i / 4, i % 4)).fold(0.0, f64::max)
+/// Turned red by: a table without interpolation.
+#[test]
+fn sines_are_within_the_tables_bound() {
+    hold(&[sines()]);
+}
+
+/// Adds the errors of all elements of `ours` as shares of what each row adds up to, with what is allowed of it.
+fn add_elements(
+    errors: &mut Errors,
+    ours: &Matrix,
+    wanted: &Matrix,
+    sums: [f64; 4],
+    allowed: impl Fn(usize) -> f64,
+    what: impl Fn() -> String,
+) {
+    for (row, column) in (0..16).map(|i| (i / 4, i % 4)) {
+        let error = ours.0[row][column] - wanted.0[row][column];
+        errors.add(error / sums[row], allowed(row) / sums[row], &what);
+    }
 }
 
 /// Random cameras on and off the axes.
@@ -52,12 +63,11 @@ fn places(random: &mut Random) -> ([f32; 3], [f32; 3]) {
     }
 }
 
-/// Turned red by: an inverse root with one Newton step, width over height.
-#[test]
-fn camera_matrices_are_those_of_the_reference() {
+/// The elements of cameras' matrices.
+pub(crate) fn matrices() -> Vec<Row> {
     const UP: [f64; 3] = [0.0, 1.0, 0.0];
     let mut random = Random::new(41);
-    let (mut worst, mut level) = (0.0_f64, 0.0_f64);
+    let [mut tapered, mut level] = [(); 2].map(|()| Errors::default());
     for _ in 0..20_000 {
         let (eye, target) = places(&mut random);
         let size = Size::new(random.within(1, 800) as u32, random.within(1, 600) as u32);
@@ -84,31 +94,41 @@ fn camera_matrices_are_those_of_the_reference() {
         let sine = |row: usize| if row < 2 { SINE * (1.0 / sin + 1.0 / cos) } else { 0.0 };
         // z = far / (far - near) has a difference of two floats in it.
         let depth = f64::from(far / (far - near)) + 1.0;
-        let share = worst_share(&ours, &wanted, |row| {
+        let allowed = |row: usize| {
             (CAMERA * depth + sine(row)) * of_lens[row] * of_view
                 + 4.0 * half(29) * largest.max(of_view * of_lens[1])
-        });
-        assert!(share <= 1.0, "from {eye:?} to {target:?}, {size:?}, {field:?}, {near}..{far}: {share}");
-        worst = worst.max(share);
+        };
+        let what = || format!("from {eye:?} to {target:?}, {size:?}, {field:?}, {near}..{far}");
+        let sums = of_lens.map(|sum| sum * of_view);
+        add_elements(&mut tapered, &ours, &wanted, sums, allowed, what);
 
         let lens = orthographic(f64::from(far), aspect, f64::from(-near), f64::from(far));
         let ours = exact(Orthographic::new(size, far, -near..far).look_at(eye, target).matrix());
         let of_lens = [0, 1, 2, 3].map(|row| lens.0[row].iter().map(|e| e.abs()).sum::<f64>());
-        let share = worst_share(&ours, &view.then(&lens), |row| {
+        let allowed = |row: usize| {
             CAMERA * of_lens[row] * of_view
                 + 4.0 * half(29) * of_view * of_lens.into_iter().fold(0.0, f64::max)
-        });
-        assert!(share <= 1.0, "from {eye:?} to {target:?}, {size:?}, {far}: {share}");
-        level = level.max(share);
+        };
+        let sums = of_lens.map(|sum| sum * of_view);
+        add_elements(&mut level, &ours, &view.then(&lens), sums, allowed, what);
     }
-    println!("cameras: perspective {worst:.3} of the bound, orthographic {level:.3}");
+    [("perspective", tapered), ("orthographic", level)]
+        .map(|(method, errors)| {
+            Row::new("camera", "random cameras", method, ["matrix element", "of its row"], &errors)
+        })
+        .into()
 }
 
-/// Turned red by: an inverse root with one Newton step.
+/// Turned red by: an inverse root with one Newton step, width over height.
 #[test]
-fn looking_at_something_is_a_rotation() {
+fn camera_matrices_are_those_of_the_reference() {
+    hold(&matrices());
+}
+
+/// How far the axes of a camera are from a rotation's.
+pub(crate) fn rotations() -> Row {
     let mut random = Random::new(42);
-    let mut worst = 0.0_f64;
+    let mut errors = Errors::default();
     for round in 0..50_000 {
         let (eye, target) = places(&mut random);
         // Near by and far away: no square overflows or vanishes.
@@ -124,11 +144,18 @@ fn looking_at_something_is_a_rotation() {
         let axis = |row: usize| [rows[row][0], rows[row][1], rows[row][2]];
         for (row, other) in [(0, 1), (1, 2), (2, 0)] {
             let (square, across) = (dot(axis(row), axis(row)), dot(axis(row), axis(other)));
-            worst = worst.max((square - 1.0).abs()).max(across.abs());
+            for error in [square - 1.0, across] {
+                errors.add(error, 4.0 * CAMERA, || format!("row {row}, from {eye:?}"));
+            }
         }
     }
-    println!("look_at: 2^{:.2} from a rotation, of 2^{:.2}", worst.log2(), (4.0 * CAMERA).log2());
-    assert!(worst <= 4.0 * CAMERA);
+    Row::new("camera", "random cameras", "look_at", ["from a rotation", "1"], &errors)
+}
+
+/// Turned red by: an inverse root with one Newton step.
+#[test]
+fn looking_at_something_is_a_rotation() {
+    hold(&[rotations()]);
 }
 
 /// Turned red by: a near plane beyond the far one that is let through, a zero matrix that is shifted by -1.

@@ -50,6 +50,11 @@ pub(crate) fn range(values: [f64; 3]) -> f64 {
     a.max(b).max(c) - a.min(b).min(c)
 }
 
+/// How far a value lies from the one that was rounded down for it: 0 inside of its step.
+pub(crate) fn outside(rounded_down: i32, exact: f64) -> f64 {
+    (f64::from(rounded_down) - exact).max(exact - f64::from(rounded_down) - 1.0).max(0.0)
+}
+
 /// The slopes of a plane in units a pixel, to the right and down.
 pub(crate) fn slopes(triangle: Triangle, values: [f64; 3]) -> [f64; 2] {
     let at = |x, y| linear(triangle, values, x, y);

@@ -51,6 +51,19 @@ impl Kind {
         Self::FarAnchor,
     ];
 
+    /// Its name in a table.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Ordinary => "ordinary triangles",
+            Self::Small => "small triangles",
+            Self::FullScreen => "full-screen triangles",
+            Self::Sliver => "slivers",
+            Self::Needle => "needles",
+            Self::Guard => "guard-sized triangles",
+            Self::FarAnchor => "triangles with a far anchor",
+        }
+    }
+
     /// A triangle of this kind that has an area.
     pub(crate) fn triangle(self, random: &mut Random) -> Triangle {
         loop {

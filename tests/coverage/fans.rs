@@ -12,6 +12,7 @@ use topleft::stages::Traversal;
 use topleft::{BoxWalk, Coord, Point as Corner, ShadedTriangle, Spans};
 
 use crate::support::counter::StrictDisplay;
+use crate::support::measured::{Row, hold};
 use crate::support::winding::{Edge, hits, winding_of};
 use crate::support::{check, same};
 use embedded_graphics::pixelcolor::Rgb565;
@@ -82,7 +83,8 @@ fn wind<T: Traversal>(fan: &Fan, folded: bool) -> Result<usize, String> {
     Ok(winding.iter().filter(|&&hits| hits != 0).count())
 }
 
-fn exactly_once(cases: u32, step: i32) {
+/// That fans whose corners stand on a lattice of `step` / 256 px hit each of their pixels once.
+fn exactly_once(cases: u32, step: i32) -> Row {
     let pixels = Cell::new(0);
     check(cases, &fans(step, 32), |fan| {
         let fan = fan.sorted();
@@ -90,19 +92,28 @@ fn exactly_once(cases: u32, step: i32) {
         wind::<BoxWalk>(&fan, false)?;
         Ok(())
     });
-    println!("{cases} fans, {} pixels", pixels.get());
+    let scene = format!("fans on a lattice of {step}/256 px");
+    Row::none_of(pixels.get() as u64, &format!("px of {cases} fans"), "coverage", scene, "spans and box walk")
+}
+
+pub(crate) fn on_half_pixels() -> Row {
+    exactly_once(20_000, 128)
+}
+
+pub(crate) fn on_the_finest_lattice() -> Row {
+    exactly_once(20_000, 1)
 }
 
 // Red when an edge that runs through pixel centres belongs to both its sides, or to neither: `first_centre`, `top_left`.
 #[test]
 fn fans_on_the_half_pixel_lattice_hit_each_pixel_once() {
-    exactly_once(20_000, 128);
+    hold(&[on_half_pixels()]);
 }
 
 // Red when an edge is rounded differently for its two sides: any change to `Edge::new` that looks at the side.
 #[test]
 fn fans_on_the_finest_lattice_hit_each_pixel_once() {
-    exactly_once(20_000, 1);
+    hold(&[on_the_finest_lattice()]);
 }
 
 // Red when front and back triangles of one edge disagree: the swap of b and c in src/raster/box_walk.rs.

@@ -12,6 +12,7 @@ use topleft::{Camera, Length, Mesh, Orthographic, Perspective, Pose, Turn};
 
 use crate::support::check;
 use crate::support::exact::compare_mesh;
+use crate::support::measured::{Row, hold};
 
 /// Pixels that are compared, and pixels that each traversal hits, at the least.
 const PIXELS: u64 = 100_000_000;
@@ -127,20 +128,19 @@ impl View {
     }
 }
 
-// Red when one pixel in 10^8 is hit once too often or too rarely, from the list's clipped vertices on.
-#[test]
-fn a_hundred_million_pixels_of_random_meshes_are_exact() {
+/// That meshes hit each pixel as often as their triangles do, exactly.
+pub(crate) fn meshes() -> Row {
     let counts = Counts::default();
     check(MESHES, &views(), |view| view.compare(&counts));
     let Counts { meshes, clipped, triangles, pixels, hits } = counts;
-    println!(
-        "{} meshes, {} triangles, {} faces clipped; {} pixels of frames hit {} times by each of two traversals: 0 mismatches",
-        meshes.get(),
-        triangles.get(),
-        clipped.get(),
-        pixels.get(),
-        hits.get()
-    );
     assert!(hits.get() >= PIXELS && pixels.get() >= PIXELS);
     assert!(clipped.get() * 20 > triangles.get(), "hardly any face was clipped");
+    let drawn = format!("px hit; {} meshes with {} triangles", meshes.get(), triangles.get());
+    Row::none_of(hits.get(), &drawn, "coverage", "random meshes", "spans and box walk")
+}
+
+// Red when one pixel in 10^8 is hit once too often or too rarely, from the list's clipped vertices on.
+#[test]
+fn a_hundred_million_pixels_of_random_meshes_are_exact() {
+    hold(&[meshes()]);
 }

@@ -7,9 +7,11 @@ use topleft::{BoxWalk, Spans};
 
 use crate::support::check;
 use crate::support::exact::{compare, expected};
+use crate::support::measured::{Row, hold};
 use crate::support::strategies::{Case, guard_sized, near_ties, slivers};
 
-fn agree(cases: u32, strategy: &impl proptest::strategy::Strategy<Value = Case>) {
+/// That the spans of triangles are exact, in both traversals.
+fn agree(name: &str, cases: u32, strategy: &impl proptest::strategy::Strategy<Value = Case>) -> Row {
     let (visible, pixels) = (Cell::new(0_u64), Cell::new(0_u64));
     check(cases, strategy, |Case { triangle, window }| {
         let spans = expected(triangle, &window);
@@ -18,32 +20,48 @@ fn agree(cases: u32, strategy: &impl proptest::strategy::Strategy<Value = Case>)
         compare::<Spans>(triangle, &window, &spans)?;
         compare::<BoxWalk>(triangle, &window, &spans)
     });
-    println!("{cases} triangles, {} of them seen, {} pixels", visible.get(), pixels.get());
     assert!(visible.get() * 10 > u64::from(cases), "most of the triangles are not seen in their windows");
+    Row::none_of(pixels.get(), &format!("px of {cases} triangles"), "coverage", name, "spans and box walk")
+}
+
+pub(crate) fn ties() -> Row {
+    agree("triangles with many ties", 300_000, &near_ties(12, 12))
+}
+
+pub(crate) fn middle_sized() -> Row {
+    agree("triangles up to 60x40 px", 150_000, &near_ties(60, 40))
+}
+
+pub(crate) fn needles() -> Row {
+    agree("slivers", 300_000, &slivers(48, 48))
+}
+
+pub(crate) fn as_large_as_the_guard() -> Row {
+    agree("guard-sized triangles", 300_000, &guard_sized())
 }
 
 // Red when `Edge::skip`, or the rounding up in `Edge::new`, of src/raster/spans.rs is off by one for ties.
 #[test]
 fn near_ties_are_exact() {
-    agree(300_000, &near_ties(12, 12));
+    hold(&[ties()]);
 }
 
 // Red when `top_left` in src/raster/box_walk.rs takes one of its edges the other way.
 #[test]
 fn middle_sized_triangles_are_exact() {
-    agree(150_000, &near_ties(60, 40));
+    hold(&[middle_sized()]);
 }
 
 // Red when `floor_divide` in src/raster/spans.rs rounds towards zero.
 #[test]
 fn slivers_are_exact() {
-    agree(300_000, &slivers(48, 48));
+    hold(&[needles()]);
 }
 
 // Red when `EdgeFunction::new` keeps all 8 fraction bits in its `i32`, or `skip` multiplies in fewer than 32 bits.
 #[test]
 fn guard_sized_triangles_are_exact() {
-    agree(300_000, &guard_sized());
+    hold(&[as_large_as_the_guard()]);
 }
 
 // Red when `Edge::step` in src/raster/spans.rs loses a remainder once in thousands of rows.

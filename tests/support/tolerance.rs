@@ -43,6 +43,14 @@ pub(crate) fn per_pixel(steps: u64, q: f64) -> f64 {
     carried / (q - carried) + VERTEX_INVERSE + RECIPROCAL
 }
 
+/// Of a texel where nothing is corrected, on a triangle that spans `texels` and a ratio of w.
+///
+/// Along a line with w from 1 to r, perspective shows `s / (s + r (1 - s))` where linear shows s. They differ most at
+/// `s = sqrt(r) / (sqrt(r) + 1)`, by the value below; no inner point of a triangle is worse than its worst line.
+pub(crate) fn affine(texels: f64, ratio: f64) -> f64 {
+    texels * (ratio.sqrt() - 1.0) / (ratio.sqrt() + 1.0)
+}
+
 /// What is promised of a texture of 256 texels at a w ratio of 64.
 pub(crate) const SIXTEENTH: f64 = 1.0 / 16.0;
 
@@ -100,3 +108,51 @@ pub(crate) const LIGHT_STEPS: f64 = LIGHT * 64.0 / 255.0 + 64.0 * half(16) + hal
 pub(crate) const SINE: f64 = half(16) + 4.71e-6;
 /// A float of the camera: the unit vector is right to 2^-22, and a product or sum of three adds some 2^-24.
 pub(crate) const CAMERA: f64 = half(21);
+
+/// Where the bounds of `docs/measured/accuracy.csv` come from, by its columns `stage` and `metric`. What the names in
+/// them are is derived above.
+pub(crate) const DERIVED: [(&str, &str, &str); 19] = [
+    ("coverage", "mismatches", "exact: the reference counts in 128-bit integers"),
+    ("interpolation", "value", "`interpolation`, with the fraction bits of the format"),
+    ("vertices", "place", "half a step, and `PERSPECTIVE_DIVIDE`; in a scene `vertex_on_screen` of `clip`"),
+    ("vertices", "depth", "`DEPTH_VERTEX`; in a scene three times `clip` over w, of 65528 codes, more"),
+    (
+        "vertices",
+        "1/w",
+        "`VERTEX_INVERSE`; in a scene twice that and `clip` over w, as the unit is a vertex's own",
+    ),
+    ("depth", "beyond its code", "`interpolation` with 16 bits, and `DEPTH_VERTEX`"),
+    ("texels", "of 256", "256 times `per_pixel`"),
+    ("texels", "of 32768", "32768 times `per_pixel`"),
+    ("texels", "of 256 on the plane", "`interpolation` with 16 bits"),
+    ("texels", "of 254", "`affine` of 254 texels, and `interpolation` with 16 bits"),
+    ("light", "lit colour", "`LIT`; of a plane's normal `PLANE_NORMAL` more"),
+    ("light", "light", "`LIGHT_STEPS`"),
+    ("camera", "value", "`SINE`, and half a step of 2^-16 in 32767 for how it is read"),
+    (
+        "camera",
+        "matrix element",
+        "`CAMERA` for each float and `SINE` for the field of view, times what they are multiplied with",
+    ),
+    ("camera", "from a rotation", "four times `CAMERA`: two products of two elements"),
+    (
+        "frames",
+        "mismatches",
+        "another face is shown only nearer to an edge than `vertex_on_screen`, or to its depth than both of their bounds",
+    ),
+    (
+        "frames",
+        "depth beyond its code",
+        "`interpolation`, the vertices' bound, and their planes' slope times `vertex_on_screen`",
+    ),
+    (
+        "frames",
+        "colour",
+        "the furthest of the colours that the bounds of texel and light allow, or `LIT` and `interpolation`; rounded to RGB565",
+    ),
+    (
+        "frames",
+        "PSNR (a least value)",
+        "from the sum of the squares of what each channel of each pixel may be off",
+    ),
+];
