@@ -122,3 +122,13 @@ impl Viewport {
 pub fn depth(clip: Vec4) -> f64 {
     FAR_CODE + CODES * (1.0 - clip[2] / clip[3])
 }
+
+/// 1/w of a vertex as the library documents its word: the upper 26 bits of the reciprocal over a shift of 5 bits.
+///
+/// # Panics
+/// `w` is 0.
+pub fn inverse_word(w: u32) -> u32 {
+    let shift = w.leading_zeros();
+    let mantissa = ((1_u128 << 62) / (u128::from(w) << shift)) as u32;
+    mantissa & !31 | (31 - shift)
+}

@@ -1,6 +1,7 @@
 //! Which texel a pixel shows, against exact perspective at the same snapped vertices.
 
 use reference::setup::{Triangle, area2};
+use reference::transform::inverse_word;
 use reference::varying::{linear, perspective};
 use topleft::stages::{Correction, PerVertexInverse, PixelShader, Varying, Words};
 use topleft::{
@@ -17,11 +18,9 @@ fn map() -> Vec<u16> {
     (0..=u16::MAX).collect()
 }
 
-/// 1/w as a vertex carries it: the reciprocal's upper 26 bits over its shift, as `PerVertexInverse` documents.
+/// 1/w as a vertex carries it.
 fn inverse(w: u32) -> PerVertexInverse {
-    let shift = w.leading_zeros();
-    let mantissa = ((1_u128 << 62) / (u128::from(w) << shift)) as u32;
-    PerVertexInverse::load(&mut [mantissa & !31 | (31 - shift)].into_iter()).unwrap()
+    PerVertexInverse::load(&mut [inverse_word(w)].into_iter()).unwrap()
 }
 
 /// Three values of w from `least` to `ratio` times as much.
