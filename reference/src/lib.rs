@@ -26,3 +26,5 @@ pub mod image;
 pub mod render;
 
 pub mod compare;
+
+pub mod naive;

@@ -82,9 +82,18 @@ pub fn pixel_box(triangle: Triangle, viewport: Viewport) -> (Range<i64>, Range<i
 
 /// How many of the triangles cover each pixel, in rows from the top.
 pub fn coverage_counts(triangles: &[Triangle], viewport: Viewport) -> Vec<u32> {
+    counts_by(covers, triangles, viewport)
+}
+
+/// The same by another test of whether a triangle covers a pixel, at the pixels of its bounding box.
+pub fn counts_by(
+    test: impl Fn(Triangle, i64, i64) -> bool,
+    triangles: &[Triangle],
+    viewport: Viewport,
+) -> Vec<u32> {
     let mut counts = vec![0; pixels(viewport)];
     for &triangle in triangles {
-        for_covered(triangle, viewport, |index| counts[index] += 1);
+        for_covered(&test, triangle, viewport, |index| counts[index] += 1);
     }
     counts
 }
@@ -94,7 +103,7 @@ pub fn winding_numbers(triangles: &[Triangle], viewport: Viewport) -> Vec<i32> {
     let mut windings = vec![0; pixels(viewport)];
     for &triangle in triangles {
         let sign = if area2(triangle) < 0 { 1 } else { -1 };
-        for_covered(triangle, viewport, |index| windings[index] += sign);
+        for_covered(covers, triangle, viewport, |index| windings[index] += sign);
     }
     windings
 }
@@ -103,11 +112,16 @@ fn pixels(viewport: Viewport) -> usize {
     viewport.width as usize * viewport.height as usize
 }
 
-fn for_covered(triangle: Triangle, viewport: Viewport, mut visit: impl FnMut(usize)) {
+fn for_covered(
+    test: impl Fn(Triangle, i64, i64) -> bool,
+    triangle: Triangle,
+    viewport: Viewport,
+    mut visit: impl FnMut(usize),
+) {
     let (columns, rows) = pixel_box(triangle, viewport);
     for y in rows {
         for x in columns.clone() {
-            if covers(triangle, x, y) {
+            if test(triangle, x, y) {
                 visit(y as usize * viewport.width as usize + x as usize);
             }
         }
