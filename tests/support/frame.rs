@@ -62,7 +62,7 @@ pub(crate) fn rendered<P: Pixel, D: Strips, T: Traversal>(
         let mut strip = D::strip(columns as u16, colours, depths).with_background(background);
         strip.clear();
         let top = rows.start + (number * height) as i32;
-        list.render(top..top + height as i32, &mut strip);
+        list.render(top..top.saturating_add(height as i32), &mut strip);
     }
     frame
 }
