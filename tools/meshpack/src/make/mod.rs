@@ -4,6 +4,7 @@ mod cube;
 mod floor;
 mod grid;
 mod icosphere;
+mod island;
 mod surface;
 mod teapot;
 mod texture;
@@ -69,6 +70,19 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             icosphere::make(3),
         ),
         mesh(
+            "island_land",
+            "ISLAND_LAND",
+            "An island of radius 0.9, 1014 small triangles in the colours of their height; the sea is at y = 0.",
+            island::land(),
+        ),
+        mesh(
+            "island_sea",
+            "ISLAND_SEA",
+            "The sea round the island: a level ring out to a radius of 1, and the edge of the board that it lies on.",
+            island::sea(),
+        ),
+        mesh("island_tower", "ISLAND_TOWER", "A watchtower on one of the island's hills.", island::tower()),
+        mesh(
             "teapot",
             "TEAPOT",
             "Newell's teapot at a third of his unit: its axis is the y axis, the spout points to +x, y from -0.525 \
@@ -96,6 +110,7 @@ pub fn made_textures() -> Vec<Made<PackedTexture>> {
             "A card that shows mirroring and turning: a grid, an F, and another colour in each corner.",
             texture::test_card(),
         ),
+        texture("waves", "WAVES", "Water with crests that repeat in both directions.", texture::waves()),
     ]
 }
 

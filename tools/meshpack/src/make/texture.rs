@@ -34,6 +34,24 @@ pub(super) fn brick() -> PackedTexture {
     })
 }
 
+/// Crests of light in blue water, bent, and broken in places; all of it repeats after 64 texels.
+pub(super) fn waves() -> PackedTexture {
+    let hill = |at: u16, length: u16| (at % length).min(length - at % length);
+    make(|x, y| {
+        let bent = y + hill(x, 32) / 2 + hill(x + 8, 16) / 2 + SIZE;
+        let crest = (bent + hill(x + 20, 64) / 4) % 16;
+        let whole = noise(x / 8, y / 16) % 3 != 0;
+        let grain = noise(x, y) % 8;
+        let depth = crest * 3 + hill(y, 64) / 2;
+        match (crest, whole) {
+            (0, true) => [196 + grain, 228 + grain, 240],
+            (1, _) => [104 + grain, 176 + grain, 216],
+            _ => [24 + grain, 84 + depth + grain, 150 + depth],
+        }
+        .map(|c| c as u8)
+    })
+}
+
 /// Numbers without a pattern that the eye would find.
 fn noise(x: u16, y: u16) -> u16 {
     let mixed = u32::from(x).wrapping_mul(0x9E37_79B1) ^ u32::from(y).wrapping_mul(0x85EB_CA77);
