@@ -1,0 +1,190 @@
+//! Meshes drawn in every way that must not differ: by both traversals, in strips of any height, and to a display.
+
+use std::fmt::Debug;
+use std::ops::Range;
+
+use arbitrary::Arbitrary;
+use embedded_graphics::prelude::{PixelColor, Point, RgbColor, Size};
+use embedded_graphics::primitives::Rectangle;
+use topleft::stages::Traversal;
+use topleft::{
+    Affine, BoxWalk, Camera, Cull, DrawError, DrawList, Flat, Gouraud, ListTriangle, Material, Mesh,
+    PerPixel, Pixel, Pose, Spans, Stats, Sun, Texture, Textured, Viewport,
+};
+
+use crate::lens::Seen;
+use crate::support::counter::StrictDisplay;
+use crate::support::frame::{Frame, Strips, rendered};
+use crate::support::same;
+use crate::support::stats::adds_up;
+
+/// The library's shaders.
+#[derive(Arbitrary, Clone, Copy, Debug)]
+pub(crate) enum Look {
+    Flat,
+    FlatLit,
+    Gouraud,
+    GouraudLit,
+    Affine,
+    AffineLit,
+    PerPixel,
+    PerPixelLit,
+}
+
+impl Look {
+    pub(crate) const ALL: [Self; 8] = [
+        Self::Flat,
+        Self::FlatLit,
+        Self::Gouraud,
+        Self::GouraudLit,
+        Self::Affine,
+        Self::AffineLit,
+        Self::PerPixel,
+        Self::PerPixelLit,
+    ];
+}
+
+/// A mesh in its place.
+pub(crate) struct Item<'a> {
+    pub(crate) mesh: Mesh<'a>,
+    pub(crate) pose: Pose,
+    pub(crate) cull: Cull,
+    pub(crate) look: Look,
+    pub(crate) material: Material,
+    pub(crate) sun: Sun,
+    pub(crate) texture: Texture<'a>,
+}
+
+/// What is drawn, who sees it, and which part of it is looked at.
+pub(crate) struct Picture<'a> {
+    pub(crate) size: Size,
+    pub(crate) camera: Seen,
+    pub(crate) items: Vec<Item<'a>>,
+    /// Words and triangles of the list.
+    pub(crate) storage: [usize; 2],
+    /// At least one of each, and few.
+    pub(crate) columns: usize,
+    pub(crate) rows: Range<i32>,
+    /// Rows of a strip, at least one.
+    pub(crate) height: usize,
+    /// Columns and rows of a display.
+    pub(crate) display: [u32; 2],
+}
+
+/// What drawing returned, and the list's figures after it, one a mesh.
+type Outcomes = Vec<(Result<(), DrawError>, Stats)>;
+
+impl Picture<'_> {
+    /// Draws the picture in all ways, and gives back what is to be seen of it.
+    pub(crate) fn check<P, D>(&self) -> Result<Frame<P>, String>
+    where
+        P: Pixel + PixelColor + RgbColor + Debug,
+        D: Strips,
+    {
+        let (outcomes, frame) = self.by::<P, D, Spans>()?;
+        let (others, other) = self.by::<P, D, BoxWalk>()?;
+        other.same("the other traversal", &frame)?;
+        if outcomes != others {
+            return Err(format!("{outcomes:?} by one traversal, {others:?} by the other"));
+        }
+        self.check_outcomes(&outcomes)?;
+        Ok(frame)
+    }
+
+    fn by<P, D, T>(&self) -> Result<(Outcomes, Frame<P>), String>
+    where
+        P: Pixel + PixelColor + RgbColor + Debug,
+        D: Strips,
+        T: Traversal,
+    {
+        let [words, triangles] = self.storage;
+        let (mut words, mut triangles) = (vec![0; words], vec![ListTriangle::EMPTY; triangles]);
+        let mut list = DrawList::<P, D, T>::with_traversal(&mut words, &mut triangles);
+        let draw = |item: &_| {
+            let result = match &self.camera {
+                Seen::Perspective(camera) => add(&mut list, camera, item),
+                Seen::Level(camera) => add(&mut list, camera, item),
+            };
+            (result, list.stats())
+        };
+        let outcomes = self.items.iter().map(draw).collect();
+        let strips = |rows: Range<i32>, height| rendered(&list, self.columns, rows, height, P::BLACK);
+        let frame = strips(self.rows.clone(), self.rows.len());
+        strips(self.rows.clone(), self.height).same("strips", &frame)?;
+        self.check_display(&list, strips)?;
+        Ok((outcomes, frame))
+    }
+
+    /// A display is sent what strips show, once.
+    fn check_display<P, D, T>(
+        &self,
+        list: &DrawList<'_, P, D, T>,
+        strips: impl Fn(Range<i32>, usize) -> Frame<P>,
+    ) -> Result<(), String>
+    where
+        P: Pixel + PixelColor + RgbColor + Debug,
+        D: Strips,
+        T: Traversal,
+    {
+        let [width, height] = self.display;
+        let mut display = StrictDisplay::new(Rectangle::new(Point::new(-3, 5), Size::new(width, height)));
+        let cells = self.columns * self.height;
+        let (mut colours, mut depths) = (vec![P::BLACK; cells], vec![0; cells]);
+        let mut strip = D::strip(self.columns as u16, &mut colours, &mut depths);
+        list.present(&mut strip, &mut display).map_err(|error| format!("{error:?}"))?;
+        let shown = strips(0..height.cast_signed(), self.height);
+        let seen = |(index, _): (usize, _)| {
+            let (x, y) = (index % width as usize, index / width as usize);
+            (x < self.columns).then(|| shown.colours[y * self.columns + x])
+        };
+        let expected: Vec<Option<P>> = display.pixels.iter().enumerate().map(seen).collect();
+        same("a display", width as usize, &display.pixels, &expected)?;
+        let once: Vec<u32> = expected.iter().map(|pixel| pixel.is_some().into()).collect();
+        same("writes to a display", width as usize, &display.writes, &once)
+    }
+
+    /// Every face is accounted for, and nothing is refused without a reason.
+    fn check_outcomes(&self, outcomes: &Outcomes) -> Result<(), String> {
+        let mut before = Stats::default();
+        let mut most = [0; 2];
+        for (item, &(result, after)) in self.items.iter().zip(outcomes) {
+            let (faces, vertices) = (item.mesh.faces().len(), item.mesh.positions().len());
+            // Nine vertices and seven triangles of each face that is cut, and padding: up to eight words a vertex.
+            most = [most[0] + (vertices + 9 * faces + 1) * 8, most[1] + 7 * faces];
+            match (result, Viewport::new(self.size)) {
+                (Err(DrawError::TooLarge(size)), Err(_)) if size == self.size && after == before => {}
+                (_, Err(_)) => return Err(format!("{result:?} for a target of {}", self.size)),
+                (Err(DrawError::Full { .. }), Ok(_))
+                    if self.storage[0] >= most[0] && self.storage[1] >= most[1] =>
+                {
+                    return Err(format!("{result:?}, and {most:?} are enough"));
+                }
+                (_, Ok(_)) => adds_up(before, after, result, faces)?,
+            }
+            before = after;
+        }
+        Ok(())
+    }
+}
+
+/// Draws a mesh into a list.
+fn add<'a, P: Pixel, D: Strips, T: Traversal>(
+    list: &mut DrawList<'a, P, D, T>,
+    camera: &impl Camera,
+    item: &Item<'a>,
+) -> Result<(), DrawError> {
+    let Item { mesh, pose, cull, look, material, sun, texture } = item;
+    list.set_cull(*cull);
+    let affine = Textured::new(texture, Affine);
+    let exact = Textured::new(texture, PerPixel);
+    match look {
+        Look::Flat => list.draw(camera, mesh, pose, &Flat::new(*material)),
+        Look::FlatLit => list.draw(camera, mesh, pose, &Flat::new(*material).lit_by(sun)),
+        Look::Gouraud => list.draw(camera, mesh, pose, &Gouraud::unlit(material)),
+        Look::GouraudLit => list.draw(camera, mesh, pose, &Gouraud::new(sun, material)),
+        Look::Affine => list.draw(camera, mesh, pose, &affine),
+        Look::AffineLit => list.draw(camera, mesh, pose, &affine.lit_by(sun)),
+        Look::PerPixel => list.draw(camera, mesh, pose, &exact),
+        Look::PerPixelLit => list.draw(camera, mesh, pose, &exact.lit_by(sun)),
+    }
+}
