@@ -5,7 +5,7 @@
 //! reciprocal scales the plane about its first vertex, so it is harmless even for slivers.
 
 use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
-use crate::math::recip;
+use crate::math::{product, recip};
 use crate::snapped::Snapped;
 
 /// A plane equation: its value at the anchor pixel's centre, and its step a pixel to the right and a pixel down.
@@ -32,6 +32,8 @@ pub struct Gradients {
     /// `1 / |area2| = reciprocal * 2^-(shift + 8)`.
     reciprocal: u32,
     shift: u32,
+    half: u64,
+    small: bool,
     /// The pixel that holds the first vertex.
     anchor: [i32; 2],
     to_centre: [i32; 2],
@@ -42,7 +44,8 @@ impl Gradients {
     #[inline]
     pub(crate) fn new([a, b, c]: [Snapped; 3], area2: i64) -> Self {
         let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
-        let (reciprocal, shift) = recip::area(area2.unsigned_abs());
+        let (reciprocal, normalised) = recip::area(area2.unsigned_abs());
+        let shift = (54 - normalised).unsigned_abs();
         // From the vertex to the centre of the pixel that holds it: -127 to 128.
         let to_centre = |coordinate: i32| HALF_PIXEL - (coordinate & (SUBPIXELS - 1));
         Self {
@@ -50,7 +53,11 @@ impl Gradients {
             second: [cx - ax, cy - ay],
             negative: area2 < 0,
             reciprocal,
-            shift: (54 - shift).unsigned_abs(),
+            shift,
+            half: 1 << (if shift > 32 { shift - 33 } else { shift - 1 }),
+            small: [bx - ax, by - ay, cx - ax, cy - ay]
+                .iter()
+                .all(|d| d.unsigned_abs() < 32 << SUBPIXEL_BITS),
             anchor: [ax >> SUBPIXEL_BITS, ay >> SUBPIXEL_BITS],
             to_centre: [to_centre(ax), to_centre(ay)],
         }
@@ -65,33 +72,76 @@ impl Gradients {
     /// The plane through three values of up to 32 bits, in canonical order. Each part is right modulo 2^32.
     pub(crate) fn plane(&self, [a, b, c]: [i64; 3]) -> Plane<i64> {
         let (d1, d2) = (b - a, c - a);
-        let [dx1, dy1] = self.first.map(i64::from);
-        let [dx2, dy2] = self.second.map(i64::from);
-        let dx = self.quotient(d1 * dy2 - d2 * dy1);
-        let dy = self.quotient(d2 * dx1 - d1 * dx2);
-        let [ox, oy] = self.to_centre.map(i64::from);
-        // The low 40 bits of the sum are right however large the gradients are, and 32 of them are used.
-        let offset = dx.wrapping_mul(ox).wrapping_add(dy.wrapping_mul(oy)).wrapping_add(1 << 7) >> 8;
-        Plane { start: a.wrapping_add(offset), dx, dy }
+        let ([dx1, dy1], [dx2, dy2]) = (self.first, self.second);
+        let determinant = if self.small { small_determinant } else { determinant };
+        let dx = self.quotient(determinant([d1, d2], [dy2, dy1]));
+        let dy = self.quotient(determinant([d2, d1], [dx1, dx2]));
+        Plane { start: a.wrapping_add(self.offset(dx, dy).into()), dx, dy }
     }
 
-    /// `256 numerator / area2`, rounded to nearest.
+    /// What the plane changes by from the vertex to the anchor's centre: the low 32 bits are right however large the
+    /// gradients are.
     #[inline]
-    fn quotient(&self, numerator: i64) -> i64 {
-        let numerator = if self.negative { -numerator } else { numerator };
-        let reciprocal = u64::from(self.reciprocal);
-        // The product in 96 bits: two words and a half.
-        let low = u64::from(numerator as u32) * reciprocal;
-        let high = (numerator >> 32) * reciprocal as i64 + (low >> 32) as i64;
-        let rest = u64::from(low as u32);
-        // 0 < shift: an area has at most 40 bits, and at least one.
-        let rounded = if self.shift > 32 {
-            return (high + (1 << (self.shift - 33))) >> (self.shift - 32);
-        } else {
-            rest + (1 << (self.shift - 1))
-        };
-        high.wrapping_shl(32 - self.shift).wrapping_add((rounded >> self.shift) as i64)
+    fn offset(&self, dx: i64, dy: i64) -> i32 {
+        let [ox, oy] = self.to_centre;
+        let sum = |of: fn(i64) -> i32| (of(dx) * ox).wrapping_add(of(dy) * oy);
+        // In pieces of 16 bits, so that products of 32 bits do.
+        let low = sum(|g| g as i32 & 0xFFFF);
+        let middle = sum(|g| g as i32 >> 16);
+        let high = sum(|g| (g >> 32) as i32 & 0xFF);
+        // The middle is taken as signed, which is one of the high ones less where its top bit is set.
+        let borrowed = sum(|g| i32::from((g as i32) < 0));
+        (high + borrowed << 24).wrapping_add(middle << 8).wrapping_add(low + (1 << 7) >> 8)
     }
+
+    /// The numerator over the area, to nearest: in pixels, not in their 256 steps.
+    #[inline(never)]
+    fn quotient(&self, numerator: i64) -> i64 {
+        let negative = (numerator < 0) != self.negative;
+        let numerator = numerator.unsigned_abs();
+        // The product in 96 bits: two words and one below.
+        let low = product::unsigned(numerator as u32, self.reciprocal);
+        let mut high = product::with_short(self.reciprocal, (numerator >> 32) as u32) + (low >> 32);
+        let mut rest = low as u32;
+        if negative {
+            // Halves are rounded up, whichever sign: minus one step of what is below them, rounded down.
+            let (less, borrow) = rest.overflowing_sub(1);
+            (rest, high) = (less, high.wrapping_sub(borrow.into()));
+        }
+        // 0 < shift: an area has at most 40 bits, and at least one.
+        let quotient = if self.shift > 32 {
+            let rounded = high.wrapping_add(self.half);
+            // Word by word: a chip without 64-bit shifts calls for them.
+            let (shift, words) = (self.shift - 32, [rounded as u32, (rounded >> 32) as u32]);
+            let below = words[0] >> shift | words[1] << (32 - shift);
+            i64::from(words[1].cast_signed() >> shift) << 32 | i64::from(below)
+        } else {
+            (high << (32 - self.shift))
+                .wrapping_add((u64::from(rest) + self.half) >> self.shift)
+                .cast_signed()
+        };
+        if negative { -quotient } else { quotient }
+    }
+}
+
+/// `d1 along2 - d2 along1` for differences of two values of 32 bits.
+#[inline(never)]
+fn determinant([d1, d2]: [i64; 2], [along2, along1]: [i32; 2]) -> i64 {
+    times(d1, along2) - times(d2, along1)
+}
+
+/// The same for places less than 32 px apart: in halves of the differences, each of which fits 32 bits.
+#[inline(always)]
+fn small_determinant([d1, d2]: [i64; 2], [along2, along1]: [i32; 2]) -> i64 {
+    let half = |of: fn(i64) -> i32| of(d1) * along2 - of(d2) * along1;
+    (i64::from(half(|d| (d >> 16) as i32)) << 16) + i64::from(half(|d| d as i32 & 0xFFFF))
+}
+
+/// A difference of two values of 32 bits, times a difference of two places.
+#[inline]
+fn times(difference: i64, along: i32) -> i64 {
+    let size = product::unsigned(difference.unsigned_abs() as u32, along.unsigned_abs()).cast_signed();
+    if (difference < 0) != (along < 0) { -size } else { size }
 }
 
 #[cfg(test)]

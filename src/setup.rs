@@ -6,6 +6,7 @@
 
 use crate::gradients::Gradients;
 use crate::math::format::SUBPIXEL_BITS;
+use crate::math::product;
 use crate::snapped::{Snapped, first_centre};
 
 /// Which triangles are left out, by the way they face once they are snapped.
@@ -39,8 +40,8 @@ impl Cull {
 #[inline]
 pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
     let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
-    let product = |p: i32, q: i32| i64::from(p) * i64::from(q);
-    product(bx.wrapping_sub(ax), cy.wrapping_sub(ay)) - product(cx.wrapping_sub(ax), by.wrapping_sub(ay))
+    product::signed(bx.wrapping_sub(ax), cy.wrapping_sub(ay))
+        - product::signed(cx.wrapping_sub(ax), by.wrapping_sub(ay))
 }
 
 /// A triangle ready for traversal: snapped vertices inside the guard rectangle, in canonical order.

@@ -13,6 +13,8 @@
 //! The chord of a convex function lies above it, by at most `f'' h^2 / 8 = 2 / 64^2 / 8 = 2^-14` between entries, and entries have steps of 2^-16; a
 //! Newton step squares the error and leaves it below.
 
+use super::product;
+
 /// `round(2^16 / (1 + i / 64)) - 2^15`, so that the first entry fits too.
 const TABLE: [u16; 65] = {
     let mut table = [0; 65];
@@ -80,11 +82,16 @@ impl Pixel {
 pub(crate) fn vertex(w: u32) -> Reciprocal {
     let w = w.max(1);
     let shift = w.leading_zeros();
-    let normalised = w << shift;
+    Reciprocal { mantissa: newton(w << shift), shift }
+}
+
+/// The reciprocal of a number whose highest bit is set, by one Newton step from the table.
+#[inline(always)]
+fn newton(normalised: u32) -> u32 {
     let seed = seed(normalised);
-    // Newton: r' = r (2 - x r), with x r in 47 fraction bits.
-    let complement = ((2 << 47) - u64::from(normalised) * u64::from(seed)) >> 16;
-    Reciprocal { mantissa: ((u64::from(seed) * complement) >> 16) as u32, shift }
+    // r' = r (2 - x r), with x r in 47 fraction bits: 2 - x r is about 1, and has 31 of them left.
+    let complement = ((2 << 47) - product::unsigned(normalised, seed)) >> 16;
+    (product::unsigned(seed, complement as u32) >> 16) as u32
 }
 
 /// `2^62 / (a << shift)` to the last bit or two, of the doubled area's 32 leading bits. A zero counts as one.
@@ -92,19 +99,21 @@ pub(crate) fn vertex(w: u32) -> Reciprocal {
 /// `shift` is negative where the area has more than 32 bits; it is rounded to nearest there.
 #[inline]
 pub(crate) fn area(area2: u64) -> (u32, i32) {
-    let area2 = area2.max(1);
-    let shift = area2.leading_zeros() as i32 - 32;
-    let (normalised, shift) = if shift >= 0 {
-        ((area2 << shift) as u32, shift)
+    let low = (area2 as u32).max(1);
+    // Most triangles have less than 2^16 px²: no shift of 64 bits for those.
+    let (normalised, shift) = if area2 >> 32 == 0 {
+        let shift = low.leading_zeros();
+        (low << shift, shift as i32)
     } else {
+        let shift = area2.leading_zeros() as i32 - 32;
         let rounded = (area2 >> (-shift - 1)).wrapping_add(1) >> 1;
         if rounded >> 32 == 0 { (rounded as u32, shift) } else { (1 << 31, shift - 1) }
     };
-    let first = vertex(normalised).mantissa;
-    // The second Newton step as a correction: what is missing from x r = 2^62, times r.
-    let missing = (1_i64 << 62) - (u64::from(normalised) * u64::from(first)) as i64;
-    let correction = ((missing >> 8) * i64::from(first)) >> 54;
-    ((i64::from(first) + correction) as u32, shift)
+    let first = newton(normalised);
+    // The second Newton step as a correction: what is missing from x r = 2^62, times r. It is below 2^35, and not negative.
+    let missing = (1 << 62) - product::unsigned(normalised, first);
+    let correction = product::unsigned((missing >> 8) as u32, first) >> 54;
+    (first + correction as u32, shift)
 }
 
 /// A vector scaled to length 1, in 30 fraction bits, within ±2^-28. The zero vector stays.
