@@ -14,6 +14,9 @@ use crate::snapped::{Snapped, first_centre};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans;
 
+/// Rows that are walked together: each edge by a loop of its own, whose numbers then fit a small core's registers.
+const ROWS: usize = 16;
+
 impl Traversal for Spans {
     fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
         let [top, middle, bottom] = setup.points();
@@ -25,13 +28,13 @@ impl Traversal for Spans {
         }
         let turn = first_centre(middle.y.to_bits());
         let middle_is_right = setup.area2() > 0;
-        let Some(mut long) = Edge::new(top, bottom, y) else { return Ok(()) };
+        let mut long = Edge::new(top, bottom, y);
         // The long edge faces the upper short edge first and then the lower one.
         for (from, to, stop) in [(top, middle, turn.min(end)), (middle, bottom, end)] {
             if y >= stop {
                 continue;
             }
-            let Some(short) = Edge::new(from, to, y) else { return Ok(()) };
+            let short = Edge::new(from, to, y);
             let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
             while y < stop {
                 let (start, end) =
@@ -55,19 +58,20 @@ impl Traversal for Spans {
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     column: i32,
-    remainder: u32,
+    remainder: i32,
     /// Columns and remainder a row: `slope + slope_remainder / height`.
     slope: i32,
-    slope_remainder: u32,
-    height: u32,
+    slope_remainder: i32,
+    height: i32,
 }
 
 impl Edge {
     /// The edge from its upper to its lower end, at `row`. Nothing where it is level: it crosses no row.
     #[inline]
-    fn new(upper: Snapped, lower: Snapped, row: i32) -> Option<Self> {
+    fn new(upper: Snapped, lower: Snapped, row: i32) -> Self {
         let ((x, y), (lower_x, lower_y)) = (upper.bits(), lower.bits());
-        let height = NonZeroU32::new((lower_y - y).unsigned_abs())?;
+        // A level edge has no rows: any height does.
+        let height = NonZeroU32::new((lower_y - y).unsigned_abs()).unwrap_or(NonZeroU32::MIN);
         let (slope, slope_remainder) = floor_divide(lower_x - x, height);
         let first = first_centre(y);
         // From the upper end down to the first row of centres: 0 to 255 steps.
@@ -82,27 +86,24 @@ impl Edge {
         let mut edge = Self {
             column: column + up as i32,
             // All steps are multiples of 256 in that unit: what is below them never counts.
-            remainder: (up * one - over) >> SUBPIXEL_BITS,
+            remainder: ((up * one - over) >> SUBPIXEL_BITS).cast_signed(),
             slope,
-            slope_remainder,
-            height: height.get(),
+            slope_remainder: slope_remainder.cast_signed(),
+            height: height.get().cast_signed(),
         };
         edge.skip(row - first, height);
-        Some(edge)
+        edge
     }
 
-    /// To the next row.
+    /// One row down.
     #[inline(always)]
     fn step(&mut self) {
-        self.column += self.slope;
-        // A borrow of one column where the remainder runs below zero.
-        let (remainder, borrow) = self.remainder.overflowing_sub(self.slope_remainder);
-        if borrow {
-            self.column += 1;
-            self.remainder = remainder.wrapping_add(self.height);
-        } else {
-            self.remainder = remainder;
-        }
+        let remainder = self.remainder - self.slope_remainder;
+        // All ones where the remainder runs below zero: one column more then. Without a branch, which a small core
+        // would take twice.
+        let below = remainder >> 31;
+        self.remainder = remainder + (self.height & below);
+        self.column += self.slope - below;
     }
 
     /// `rows` further down at once, for a window that starts inside the triangle.
@@ -113,14 +114,15 @@ impl Edge {
         }
         self.column += rows * self.slope;
         // At most 4095 rows, each at least 256 steps of the height: the product stays below 2^32.
-        let sum = rows.unsigned_abs() * self.slope_remainder;
-        if sum > self.remainder {
-            let missing = sum - self.remainder;
+        let sum = rows.unsigned_abs() * self.slope_remainder.unsigned_abs();
+        let remainder = self.remainder.unsigned_abs();
+        if sum > remainder {
+            let missing = sum - remainder;
             let columns = (missing - 1) / height + 1;
             self.column += columns as i32;
-            self.remainder = columns * height.get() - missing;
+            self.remainder = (columns * height.get() - missing).cast_signed();
         } else {
-            self.remainder -= sum;
+            self.remainder = (remainder - sum).cast_signed();
         }
     }
 }
