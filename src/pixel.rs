@@ -138,8 +138,9 @@ impl Pixel for u16 {
 
     #[inline(always)]
     fn from_fixed(channels: [Attribute; 3]) -> Self {
-        let [r, g, b] = channels.map(|channel| channel.to_bits() >> 16);
-        ((r & 31) << 11 | (g & 63) << 5 | b & 31) as Self
+        let [r, g, b] = channels;
+        let whole = |channel: Attribute| channel.to_bits() >> 16;
+        ((whole(r) & 31) << 11 | (whole(g) & 63) << 5 | whole(b) & 31) as Self
     }
 
     #[inline(always)]

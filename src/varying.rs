@@ -69,30 +69,39 @@ macro_rules! scalar {
 
 scalar!(Attribute, DepthCode, Inverse);
 
-impl<V: Varying, const N: usize> Varying for [V; N] {
-    #[inline]
-    fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
-        let mut plane = Plane { start: a, dx: b, dy: c };
-        // The three vertices' values are replaced one by one with what their plane is made of.
-        for ((start, dx), dy) in plane.start.iter_mut().zip(&mut plane.dx).zip(&mut plane.dy) {
-            let scalar = V::plane(gradients, [*start, *dx, *dy]);
-            (*start, *dx, *dy) = (scalar.start, scalar.dx, scalar.dy);
-        }
-        plane
-    }
+macro_rules! array {
+    ($($n:literal: $($p:ident $q:ident),*;)*) => {$(
+        // Written out: a loop over three elements stays a loop where code is compiled for size.
+        impl<V: Varying> Varying for [V; $n] {
+            #[inline]
+            fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
+                let mut plane = Plane { start: a, dx: b, dy: c };
+                // The three vertices' values are replaced one by one with what their plane is made of.
+                for ((start, dx), dy) in plane.start.iter_mut().zip(&mut plane.dx).zip(&mut plane.dy) {
+                    let scalar = V::plane(gradients, [*start, *dx, *dy]);
+                    (*start, *dx, *dy) = (scalar.start, scalar.dx, scalar.dy);
+                }
+                plane
+            }
 
-    #[inline(always)]
-    fn plus(mut self, other: Self) -> Self {
-        for (a, b) in self.iter_mut().zip(other) {
-            *a = a.plus(b);
-        }
-        self
-    }
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                let ([$($p),*], [$($q),*]) = (self, other);
+                [$($p.plus($q)),*]
+            }
 
-    #[inline(always)]
-    fn times(self, steps: i32) -> Self {
-        self.map(|a| a.times(steps))
-    }
+            #[inline(always)]
+            fn times(self, steps: i32) -> Self {
+                let [$($p),*] = self;
+                [$($p.times(steps)),*]
+            }
+        }
+    )*};
+}
+
+array! {
+    2: a d, b e;
+    3: a d, b e, c f;
 }
 
 impl<V: Varying, W: Varying> Varying for (V, W) {

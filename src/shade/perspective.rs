@@ -83,8 +83,8 @@ impl Correction for Affine {
     ) {
         let mut texel = start;
         for pixel in pixels {
-            let [u, v] = texel.map(|c| c.to_bits() >> 16);
-            each(pixel, u, v);
+            let [u, v] = texel;
+            each(pixel, u.to_bits() >> 16, v.to_bits() >> 16);
             texel = texel.plus(step);
         }
     }
@@ -149,16 +149,17 @@ impl Correction for PerPixel {
         let [least_u, least_v] = triangle.least;
         let down = 31 - triangle.span_log2;
         let mut over_w = start;
-        let [q, ..] = start.map(Inverse::to_bits);
-        let mut inverse = recip::Pixel::new(q.max(1).unsigned_abs());
+        let [q, ..] = start;
+        let mut inverse = recip::Pixel::new(q.to_bits().max(1).unsigned_abs());
         for pixel in pixels {
-            let [q, u, v] = over_w.map(Inverse::to_bits);
-            let reciprocal = inverse.of(q.max(1).unsigned_abs());
+            let [q, u, v] = over_w;
+            let reciprocal = inverse.of(q.to_bits().max(1).unsigned_abs());
             let shift = inverse.shift;
             // u / q in 31 fraction bits, from 17 of u and the reciprocal's 16. Interpolation may run some steps below
             // 0, or above q, for which the top bit is left free: q has a leading zero, as it is signed.
-            let part =
-                |c: i32| (c.max(0).unsigned_abs() << (shift - 1) >> 15).wrapping_mul(reciprocal) >> down;
+            let part = |c: Inverse| {
+                (c.to_bits().max(0).unsigned_abs() << (shift - 1) >> 15).wrapping_mul(reciprocal) >> down
+            };
             each(pixel, least_u.wrapping_add(part(u) as i32), least_v.wrapping_add(part(v) as i32));
             over_w = over_w.plus(step);
         }
