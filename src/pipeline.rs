@@ -27,7 +27,7 @@ pub(crate) struct Shading<'t, S, T, V> {
     pub(crate) triangle: &'t T,
     /// At the first pixel of the span, and the step to the next.
     pub(crate) start: V,
-    pub(crate) step: V,
+    pub(crate) step: &'t V,
 }
 
 /// Where spans end: the depth, shade and target stages of a strip or of a display.
@@ -69,7 +69,7 @@ where
     T::walk(setup, &target.window(), |span| {
         let at = (span.start - x, span.y - y);
         let shading =
-            Shading { shader, triangle: &triangle, start: varying.at(at.0, at.1), step: varying.dx };
+            Shading { shader, triangle: &triangle, start: varying.at(at.0, at.1), step: &varying.dx };
         target.span(span, (depth.at(at.0, at.1), depth.dx), shading)
     })
 }

@@ -14,9 +14,6 @@ use crate::snapped::{Snapped, first_centre};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans;
 
-/// Rows that are walked together: each edge by a loop of its own, whose numbers then fit a small core's registers.
-const ROWS: usize = 16;
-
 impl Traversal for Spans {
     fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
         let [top, middle, bottom] = setup.points();

@@ -84,7 +84,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
     }
 
     #[inline]
-    fn shade(&self, colour: &P, (): (), (): (), run: &mut [P]) {
+    fn shade(&self, colour: &P, (): (), (): &(), run: &mut [P]) {
         run.fill(*colour);
     }
 

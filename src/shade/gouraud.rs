@@ -96,11 +96,11 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     }
 
     #[inline(never)]
-    fn shade(&self, (): &(), start: [Attribute; 3], step: [Attribute; 3], run: &mut [P]) {
+    fn shade(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: &mut [P]) {
         let mut colour = start;
         for pixel in run {
             *pixel = P::from_fixed(colour);
-            colour = colour.plus(step);
+            colour = colour.plus(*step);
         }
     }
 }

@@ -78,7 +78,7 @@ pub trait PixelShader<'a, P>: Copy {
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
     /// Colours a run: `start` at its first pixel, `step` more at each after it.
-    fn shade(&self, triangle: &Self::Triangle, start: Self::Varying, step: Self::Varying, run: &mut [P]);
+    fn shade(&self, triangle: &Self::Triangle, start: Self::Varying, step: &Self::Varying, run: &mut [P]);
 
     /// The one colour of the triangle, where it has but one.
     fn solid(&self, triangle: &Self::Triangle) -> Option<P> {

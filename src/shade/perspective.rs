@@ -32,7 +32,7 @@ pub trait Correction: Copy {
         self,
         triangle: &Self::Triangle,
         start: Self::Varying,
-        step: Self::Varying,
+        step: &Self::Varying,
         pixels: impl Iterator<Item = T>,
         each: impl FnMut(T, i32, i32),
     );
@@ -77,7 +77,7 @@ impl Correction for Affine {
         self,
         (): &(),
         start: [Attribute; 2],
-        step: [Attribute; 2],
+        step: &[Attribute; 2],
         pixels: impl Iterator<Item = T>,
         mut each: impl FnMut(T, i32, i32),
     ) {
@@ -85,7 +85,7 @@ impl Correction for Affine {
         for pixel in pixels {
             let [u, v] = texel;
             each(pixel, u.to_bits() >> 16, v.to_bits() >> 16);
-            texel = texel.plus(step);
+            texel = texel.plus(*step);
         }
     }
 }
@@ -142,7 +142,7 @@ impl Correction for PerPixel {
         self,
         triangle: &TexelBox,
         start: [Inverse; 3],
-        step: [Inverse; 3],
+        step: &[Inverse; 3],
         pixels: impl Iterator<Item = T>,
         mut each: impl FnMut(T, i32, i32),
     ) {
@@ -161,7 +161,7 @@ impl Correction for PerPixel {
                 (c.to_bits().max(0).unsigned_abs() << (shift - 1) >> 15).wrapping_mul(reciprocal) >> down
             };
             each(pixel, least_u.wrapping_add(part(u) as i32), least_v.wrapping_add(part(v) as i32));
-            over_w = over_w.plus(step);
+            over_w = over_w.plus(*step);
         }
     }
 }

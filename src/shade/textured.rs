@@ -39,7 +39,7 @@ impl<'a, C: Correction> Textured<'a, C> {
         &self,
         triangle: &C::Triangle,
         start: C::Varying,
-        step: C::Varying,
+        step: &C::Varying,
         pixels: impl Iterator<Item = T>,
         mut each: impl FnMut(T, u16),
     ) {
@@ -123,7 +123,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     }
 
     #[inline(never)]
-    fn shade(&self, triangle: &C::Triangle, start: C::Varying, step: C::Varying, run: &mut [P]) {
+    fn shade(&self, triangle: &C::Triangle, start: C::Varying, step: &C::Varying, run: &mut [P]) {
         self.walk(triangle, start, step, run.iter_mut(), |pixel, texel| *pixel = P::from_texel(texel));
     }
 }
@@ -188,11 +188,11 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         &self,
         triangle: &C::Triangle,
         start: (C::Varying, Attribute),
-        step: (C::Varying, Attribute),
+        step: &(C::Varying, Attribute),
         run: &mut [P],
     ) {
         let mut light = start.1;
-        self.0.walk(triangle, start.0, step.0, run.iter_mut(), |pixel, texel| {
+        self.0.walk(triangle, start.0, &step.0, run.iter_mut(), |pixel, texel| {
             // Interpolation may leave the range by less than the half that rounds.
             let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
             *pixel = P::lit_texel(texel, steps);
