@@ -56,10 +56,10 @@ pub(crate) struct Pixel {
 }
 
 impl Pixel {
-    /// For a run of numbers that starts with `q`.
+    /// For a run of numbers of which a triangle's greatest has one leading zero: most have few.
     #[inline(always)]
-    pub(crate) fn new(q: u32) -> Self {
-        Self { shift: q.max(1).leading_zeros() }
+    pub(crate) const fn new() -> Self {
+        Self { shift: 1 }
     }
 
     /// `2^47 / (q << shift)` in [2^15, 2^16], with the shift that normalises `q` from now on. A zero counts as one.
@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn pixel_is_within_the_chord_and_a_step() {
         for x in inputs() {
-            let mut pixel = Pixel::new(x >> 31);
+            let mut pixel = Pixel::new();
             let r = pixel.of(x);
             assert_eq!(pixel.shift, 0);
             // x r = 2^47 (1 + e). The entries and the interpolation are each rounded by half a step of r; the chord
@@ -161,10 +161,10 @@ mod tests {
 
     #[test]
     fn the_shift_follows_any_number() {
-        let mut following = Pixel::new(0);
+        let mut following = Pixel::new();
         for (i, x) in inputs().enumerate() {
             let q = x >> (i * 7 % 33).min(31);
-            let fresh = Pixel::new(q).of(q);
+            let fresh = Pixel { shift: q.max(1).leading_zeros() }.of(q);
             assert_eq!(following.of(q), fresh, "{q:#x}");
             assert_eq!(following.shift, q.max(1).leading_zeros(), "{q:#x}");
         }

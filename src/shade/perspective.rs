@@ -149,8 +149,7 @@ impl Correction for PerPixel {
         let [least_u, least_v] = triangle.least;
         let down = 31 - triangle.span_log2;
         let mut over_w = start;
-        let [q, ..] = start;
-        let mut inverse = recip::Pixel::new(q.to_bits().max(1).unsigned_abs());
+        let mut inverse = recip::Pixel::new();
         for pixel in pixels {
             let [q, u, v] = over_w;
             let reciprocal = inverse.of(q.to_bits().max(1).unsigned_abs());

@@ -195,7 +195,7 @@ impl<'a> PixelShader<'a, Seen> for ProbePixel {
         (face, vertices.map(|([a, b], c)| [a, b, c]))
     }
 
-    fn shade(&self, &face: &[u8; 3], start: [Attribute; 3], step: [Attribute; 3], run: &mut [Seen]) {
+    fn shade(&self, &face: &[u8; 3], start: [Attribute; 3], step: &[Attribute; 3], run: &mut [Seen]) {
         let (mut bits, step) = (start.map(Attribute::to_bits), step.map(Attribute::to_bits));
         for cell in run {
             *cell = Seen { face, values: bits };

@@ -65,7 +65,7 @@ fn errors<C: Correction>(correction: C, kind: Kind, ratio: f64, size: f64, count
         for span in &covered.spans {
             let start = plane.at(span.start - ax, span.y - ay);
             let mut shown = Vec::new();
-            correction.walk(&shared, start, plane.dx, span.start..span.end, |_, u, v| shown.push([u, v]));
+            correction.walk(&shared, start, &plane.dx, span.start..span.end, |_, u, v| shown.push([u, v]));
             for x in sampled(span, &mut random) {
                 let (column, row) = (i64::from(x), i64::from(span.y));
                 let steps = covered.steps(x, span.y);
@@ -140,7 +140,7 @@ pub(crate) fn affine_for_perspective(ratio: f64) -> Row {
         let [ax, ay] = gradients.anchor();
         for span in &covered.spans {
             let start = plane.at(span.start - ax, span.y - ay);
-            Affine.walk(&(), start, plane.dx, span.start..span.end, |x, texel, _| {
+            Affine.walk(&(), start, &plane.dx, span.start..span.end, |x, texel, _| {
                 let wanted = perspective(covered.triangle, values, q, x.into(), span.y.into());
                 let bound = affine(254.0, ratio) + interpolation(16, covered.steps(x, span.y), 254.0);
                 let name = || format!("{:?} at {x}, {}: {texel} for {wanted}", covered.triangle, span.y);
@@ -256,9 +256,9 @@ fn a_texture_is_fetched_where_the_correction_says() {
     for span in &covered.spans {
         let start: <PerPixel as Correction>::Varying = plane.at(span.start - ax, span.y - ay);
         let mut run = vec![0_u16; (span.end - span.start) as usize];
-        shader.shade(&shared, start, plane.dx, &mut run);
+        shader.shade(&shared, start, &plane.dx, &mut run);
         let mut wanted = Vec::new();
-        PerPixel.walk(&shared, start, plane.dx, 0..run.len(), |_, u, v| wanted.push(texture.texel(u, v)));
+        PerPixel.walk(&shared, start, &plane.dx, 0..run.len(), |_, u, v| wanted.push(texture.texel(u, v)));
         assert_eq!(run, wanted);
     }
 }

@@ -64,7 +64,7 @@ impl<'a> PixelShader<'a, Hits> for Add {
         ((), [(); 3])
     }
 
-    fn shade(&self, (): &(), (): (), (): (), run: &mut [Hits]) {
+    fn shade(&self, (): &(), (): (), (): &(), run: &mut [Hits]) {
         for cell in run {
             cell.0 += self.0;
         }

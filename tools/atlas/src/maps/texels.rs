@@ -72,7 +72,7 @@ fn of_library<C: Correction + Default>(case: &Case) -> f64 {
     let [ax, ay] = gradients.anchor();
     let start = plane.at(span.start - ax, span.y - ay);
     let mut worst = 0.0_f64;
-    method.walk(&shared, start, plane.dx, span.start..span.end, |x, u, _| {
+    method.walk(&shared, start, &plane.dx, span.start..span.end, |x, u, _| {
         let shown = (f64::from(u) + FINEST / 2.0) / finer;
         // The texel that was rounded down to holds all of its step.
         let exact = case.exact(x);
