@@ -149,6 +149,20 @@ mod tests {
     use super::*;
     use crate::setup::Setup;
 
+    // Red when triangles of 64 px or more count as small, or a half of a difference is taken with another sign.
+    #[test]
+    fn small_determinants_are_the_same() {
+        let differences = [0, 1, -1, 0xFFFF, -0xFFFF, 0x1_0000, -0x1_0000, 0xFFFF_FFFF, -0xFFFF_FFFF];
+        let places = [0, 1, -1, 255, -256, 8191, -8191];
+        for (d1, d2) in differences.iter().flat_map(|&d1| differences.map(|d2| (d1, d2))) {
+            for (along1, along2) in places.iter().flat_map(|&p| places.map(|q| (p, q))) {
+                let exact = d1 * i64::from(along2) - d2 * i64::from(along1);
+                assert_eq!(small_determinant([d1, d2], [along2, along1]), exact);
+                assert_eq!(determinant([d1, d2], [along2, along1]), exact);
+            }
+        }
+    }
+
     #[test]
     fn quotients_are_rounded_exactly() {
         let mut state = 1_u64;
