@@ -39,11 +39,15 @@ const BAR: i32 = 14;
 const MARGIN: i32 = 10;
 
 impl Map {
-    /// Measures each cell of a panel by the values in its middle.
-    pub(crate) fn cells(x: &Axis, y: &Axis, measure: impl Fn(f64, f64) -> f64) -> Vec<Option<f64>> {
+    /// Measures each cell of a panel by the values in its middle: a number, or nothing where there is no case.
+    pub(crate) fn cells<M: Into<Option<f64>>>(
+        x: &Axis,
+        y: &Axis,
+        measure: impl Fn(f64, f64) -> M,
+    ) -> Vec<Option<f64>> {
         (0..y.cells)
             .flat_map(|row| (0..x.cells).map(move |column| (column, row)))
-            .map(|(column, row)| Some(measure(x.middle(column), y.middle(row))))
+            .map(|(column, row)| measure(x.middle(column), y.middle(row)).into())
             .collect()
     }
 

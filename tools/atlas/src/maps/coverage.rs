@@ -100,7 +100,7 @@ pub(crate) fn map() -> Canvas {
         panel(
             "topleft's: floor((E - bias) / 2^s) in i32",
             scaled,
-            "bound: 2^((31 - s) / 2), 2^(30 - 2s)",
+            "bound: side = least of 2^((31 - s) / 2), 2^(30 - 2s)",
             |bits| ((31.0 - bits) / 2.0).min(30.0 - 2.0 * bits).exp2(),
         ),
     ];

@@ -28,8 +28,8 @@ pub(crate) fn strips() -> Canvas {
         topleft: drawn::greys_in_strips(&shaded, SIDE, ROWS),
         reference: greys(&shaded, linear),
         zoom: 3,
-        times: 4,
-        unit: "codes of 255",
+        times: 255,
+        unit: "code",
         notes: vec![
             "Corners that a strip makes are rounded to 1/256 px, and planes start anew from them: seams every 8 rows.".into(),
         ],

@@ -23,7 +23,7 @@ pub(crate) fn affine_cube() -> Canvas {
         reference: Picture::from_rgb565(66, reference.rgb565()),
         zoom: 3,
         times: 1,
-        unit: "codes of 255",
+        unit: "code",
         notes: vec![],
     }
     .draw()

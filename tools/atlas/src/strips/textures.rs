@@ -36,7 +36,7 @@ pub(crate) fn below_zero() -> Canvas {
         reference: shown(|u, v| Some(texel(&texture, [u, v].map(f64::from)))),
         zoom: 3,
         times: 1,
-        unit: "codes of 255",
+        unit: "code",
         notes: vec!["Texels from -33 to 32 both ways. Magenta: the index is negative, which stops a program or reads what is not texture.".into()],
     }
     .draw()
