@@ -105,9 +105,9 @@ impl Map {
             canvas.text([left + BAR + 6, y - LINE / 2], label, Stands::Right);
         }
         canvas.text([left, top - LINE - 4], self.bar.name, Stands::Right);
-        for (colour, label, y) in
-            [(NOTHING, "0", height - 2 * zero + 8), (UNKNOWN, "no case", height - zero + 6)]
-        {
+        let unknown = self.panels.iter().any(|panel| panel.values.contains(&None));
+        let boxes = [(NOTHING, "0", height - 2 * zero + 8), (UNKNOWN, "no case", height - zero + 6)];
+        for (colour, label, y) in boxes.into_iter().take(1 + usize::from(unknown)) {
             canvas.frame([left, top + y], [BAR, LINE], INK);
             canvas.fill([left, top + y], [BAR, LINE], colour);
             canvas.text([left + BAR + 6, top + y], label, Stands::Right);

@@ -171,7 +171,6 @@ pub(crate) fn map() -> Canvas {
             .into(),
         "2^-32 that is off by one; 13 roundings of f32, of terms of D length / width; (n + m + 2) 2^-17 + D 2^-30 for topleft."
             .into(),
-        "No case: an area of less than 3/65536 px^2, which holds no pixel but at its corners.".into(),
     ];
     Map {
         title: "Where interpolation breaks: error by the width and the length of slivers",

@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::drawn;
 use crate::strip::{Picture, Strip};
 
-const LEGEND: &str = "dark: hit by no triangle; pale: by one; red: by two; orange: by more";
+pub(crate) const LEGEND: &str = "dark: hit by no triangle; pale: by one; red: by two; orange: by more";
 
 /// Hits of triangles, by a naive method's own count.
 fn hits(

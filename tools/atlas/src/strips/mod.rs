@@ -4,6 +4,7 @@ mod coverage;
 mod order;
 mod perspective;
 mod slivers;
+mod snapped;
 mod textures;
 
 use crate::Entry;
@@ -16,9 +17,16 @@ pub(crate) const ALL: &[Entry] = &[
     ("06-turned-over", coverage::turned_over),
     ("07-needles", slivers::needles),
     ("08-large", slivers::large),
+    ("09-t-junction", snapped::t_junction),
+    ("11-behind-the-eye", perspective::behind_the_eye),
     ("13-clipped-by-size", coverage::clipped_by_size),
     ("15-affine-cube", perspective::affine_cube),
+    ("17-slow-motion", snapped::slow_motion),
+    ("18-minified", perspective::minified),
     ("19-below-zero", textures::below_zero),
+    ("20-beyond-the-last", textures::beyond_the_last),
+    ("27-not-a-number", snapped::not_a_number),
     ("31-strips", order::strips),
+    ("32-corners", order::corners),
     ("33-alpha-inside", coverage::alpha_inside),
 ];
