@@ -145,12 +145,9 @@ pub(crate) fn map() -> Canvas {
             // From there on every error is possible.
             if RANGE / width > 32_768.0 { RANGE } else { 0.0 }
         }),
-        panel(
-            "2^32 / area",
-            Some(plane::reciprocal_of_32_bits),
-            "D area2 2^-16 = 1/2",
-            |length, width| RANGE * length * width / 65_536.0,
-        ),
+        panel("2^32 / area", Some(plane::reciprocal_of_32_bits), "D area2 2^-16 = 1/2", |length, width| {
+            RANGE * length * width / 65_536.0
+        }),
         panel(
             "A x + B y + C in f32",
             Some(plane::from_the_corner),
@@ -159,11 +156,8 @@ pub(crate) fn map() -> Canvas {
         ),
         panel("topleft: Q16.16, wrapping", None, "bound = 1/2: nowhere", of_library),
     ];
-    let bar = Bar {
-        name: "codes",
-        ends: [1e-6, 1000.0],
-        ticks: ticks(&[1e-6, 1e-4, 0.01, 0.5, 10.0, 1000.0]),
-    };
+    let bar =
+        Bar { name: "codes", ends: [1e-6, 1000.0], ticks: ticks(&[1e-6, 1e-4, 0.01, 0.5, 10.0, 1000.0]) };
     let notes = vec![
         "Largest error of a value of 0 to 255 codes (D = 255) at the pixels of slivers in all directions. Lines: where the"
             .into(),

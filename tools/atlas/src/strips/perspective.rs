@@ -6,21 +6,20 @@ use reference::render;
 use reference::setup::Cull;
 use reference::shade::{Base, Look};
 use reference::transform::{Viewport, model_position};
-use reference::varying::{Method as Carried, perspective};
+use reference::varying::Method as Carried;
 use scenes::{Method, Scene, View};
-use topleft::stages::Window;
-use topleft::{Mesh, Turn};
+use topleft::{Length, Mesh, Turn};
 
 use crate::canvas::Canvas;
 use crate::drawn;
-use crate::patches::{Frame, Patch, Placement, camera_of, pose_of};
+use crate::patches::{Frame, Placement, camera_of, pose_of};
 use crate::strip::{Picture, Strip};
 
 /// Row 15: a cube so near that w doubles over a face.
 pub(crate) fn affine_cube() -> Canvas {
     let scene = scenes::by_name("near-cube").expect("a scene");
     let size = Size::new(66, 66);
-    let view = View { turn: Turn::from_degrees(30), ..View::default() };
+    let view = View { turn: Turn::from_degrees(30), distance: Length::lit("1.3"), ..View::default() };
     let reference = Frame::new(scene, size, &view).image;
     Strip {
         title: "15  Texels that are linear on the screen bend on a near cube",
@@ -31,7 +30,10 @@ pub(crate) fn affine_cube() -> Canvas {
         zoom: 3,
         times: 1,
         unit: "code",
-        notes: vec![],
+        notes: vec![
+            "Each face is two triangles, and each bends its texture by itself: lines break at the diagonal. The few pixels of".into(),
+            "topleft that differ lie on the edges of texels.".into(),
+        ],
     }
     .draw()
 }
@@ -94,7 +96,8 @@ pub(crate) fn minified() -> Canvas {
     let view = View { turn: Turn::from_degrees(20), ..View::default() };
     let fine = Frame::new(scene, SIZE * FINER, &view).image;
     let mean = |x: u32, y: u32| {
-        let parts = (0..FINER * FINER).map(|i| fine.pixel(x * FINER + i % FINER, y * FINER + i / FINER).colour);
+        let parts =
+            (0..FINER * FINER).map(|i| fine.pixel(x * FINER + i % FINER, y * FINER + i / FINER).colour);
         let sum = parts.fold([0.0; 3], |sum, colour| [0, 1, 2].map(|k| sum[k] + colour[k]));
         sum.map(|channel| (channel / f64::from(FINER * FINER)).round() as u8)
     };

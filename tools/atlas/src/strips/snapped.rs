@@ -44,16 +44,20 @@ pub(crate) fn t_junction() -> Canvas {
 
 /// Row 27: a corner that is nowhere.
 pub(crate) fn not_a_number() -> Canvas {
-    let ring: Vec<[f64; 2]> = (0..8)
-        .map(|i| (f64::from(i) + 0.3) * std::f64::consts::TAU / 8.0)
-        .map(|angle| if angle < 0.3 { [f64::NAN; 2] } else { [15.0 + 8.0 * angle.cos(), 15.0 - 8.0 * angle.sin()] })
-        .collect();
+    let ring: Vec<[f64; 2]> =
+        (0..8)
+            .map(|i| (f64::from(i) + 0.3) * std::f64::consts::TAU / 8.0)
+            .map(|angle| {
+                if angle < 0.3 { [f64::NAN; 2] } else { [15.0 + 8.0 * angle.cos(), 15.0 - 8.0 * angle.sin()] }
+            })
+            .collect();
     let fan: Vec<[[f64; 2]; 3]> = (0..8).map(|i| [[15.2, 15.1], ring[i], ring[(i + 1) % 8]]).collect();
     let viewport = Viewport { width: 25, height: 25 };
     let snapped = |fan: &[[[f64; 2]; 3]]| -> Vec<Triangle> {
         fan.iter().map(|corners| corners.map(|at| at.map(|c| cast(c, 8)))).collect()
     };
-    let finite: Vec<_> = fan.iter().copied().filter(|t| t.as_flattened().iter().all(|c| c.is_finite())).collect();
+    let finite: Vec<_> =
+        fan.iter().copied().filter(|t| t.as_flattened().iter().all(|c| c.is_finite())).collect();
     let mut display = Sent::new(Size::new(25, 25));
     for corners in &fan {
         let corners = corners.map(|[x, y]| point(x as f32, y as f32));
