@@ -59,7 +59,7 @@ fn wrong(inside: Inside, side: f64, bits: u32) -> f64 {
         let mut at = || random.within(0, most) as i32;
         // From one corner of the box to the other sides.
         let mut corners = [[0, 0], [most as i32, at()], [at(), most as i32]];
-        if random.next() % 2 == 0 {
+        if random.next().is_multiple_of(2) {
             corners = corners.map(|[x, y]| [most as i32 - x, y]);
             corners.swap(1, 2);
         }

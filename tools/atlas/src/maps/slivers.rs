@@ -145,7 +145,7 @@ pub(crate) fn map() -> Canvas {
             // From there on every error is possible.
             if RANGE / width > 32_768.0 { RANGE } else { 0.0 }
         }),
-        panel("2^32 / area", Some(plane::reciprocal_of_32_bits), "D area2 2^-16 = 1/2", |length, width| {
+        panel("2^32 / area", Some(plane::reciprocal_of_32_bits), "D l w 2^-16 = 1/2", |length, width| {
             RANGE * length * width / 65_536.0
         }),
         panel(
@@ -163,7 +163,7 @@ pub(crate) fn map() -> Canvas {
             .into(),
         "bound of each method passes half a code. Bounds: a gradient beyond 2^15 does not fit; a reciprocal of the area in"
             .into(),
-        "2^-32 that is off by one; 13 roundings of f32, of terms of D length / width; (n + m + 2) 2^-17 + D 2^-30 for topleft."
+        "2^-32 that is off by one (l: length, w: width); 13 roundings of f32, of terms of D l/w; (n + m + 2) 2^-17 + D 2^-30."
             .into(),
     ];
     Map {

@@ -41,6 +41,9 @@ pub(crate) fn strips() -> Canvas {
     .draw()
 }
 
+/// What gets column, row and value of each pixel.
+type Each<'e> = &'e mut dyn FnMut(i32, i32, f64);
+
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
 
 /// Row 32: two triangles whose corners are named in all six orders.
@@ -50,7 +53,7 @@ pub(crate) fn corners() -> Canvas {
     let shaded: [Valued; 2] = [([a, b, c], [20.0, 240.0, 100.0]), ([a, c, d], [20.0, 100.0, 230.0])];
     let window = Window { columns: 0..SIDE, rows: 0..SIDE };
     // How many different values the orders give a pixel; `all` calls its function with a pixel's index and value.
-    let different = |all: &dyn Fn(Valued, &mut dyn FnMut(i32, i32, f64))| {
+    let different = |all: &dyn Fn(Valued, Each<'_>)| {
         let mut found = vec![BTreeSet::new(); (SIDE * SIDE) as usize];
         for (order, (triangle, values)) in ORDERS.iter().flat_map(|order| shaded.map(|one| (order, one))) {
             all((order.map(|i| triangle[i]), order.map(|i| values[i])), &mut |x, y, value| {
@@ -60,7 +63,7 @@ pub(crate) fn corners() -> Canvas {
         Picture::of_hits(SIDE as usize, found.into_iter().map(|values| values.len() as u32))
     };
     let by = |value: fn(Triangle, [f64; 3], i64, i64) -> f64| {
-        different(&|(triangle, values), each: &mut dyn FnMut(i32, i32, f64)| {
+        different(&|(triangle, values), each: Each<'_>| {
             drawn::values(triangle, values, &window, |x, y, _| {
                 each(x, y, value(triangle, values, x.into(), y.into()));
             });
@@ -71,7 +74,7 @@ pub(crate) fn corners() -> Canvas {
         naive_method: "f32 from corner 0",
         naive: by(plane::from_the_given_vertex),
         topleft: different(&|(triangle, values), each| {
-            drawn::values(triangle, values, &window, |x, y, value| each(x, y, value));
+            drawn::values(triangle, values, &window, each);
         }),
         // Exact, but for the last bits of its own floats.
         reference: by(|triangle, values, x, y| (linear(triangle, values, x, y) * 1e9).round()),
