@@ -24,6 +24,8 @@ pub(crate) struct Map {
     /// Width and height of a cell in pixels.
     pub(crate) cell: [i32; 2],
     pub(crate) bar: Bar,
+    /// What a value may be where a line is not crossed.
+    pub(crate) allowed: f64,
     pub(crate) panels: Vec<Panel>,
     pub(crate) notes: Vec<String>,
 }
@@ -116,6 +118,16 @@ impl Map {
 }
 
 impl Panel {
+    /// A bound that does not hold is not drawn.
+    fn check(&self, map: &Map) {
+        let Map { x, y, allowed, .. } = map;
+        for (index, value) in self.values.iter().enumerate() {
+            let (x, y) = (x.middle(index % x.cells), y.middle(index / x.cells));
+            let within = self.line.1(x, y) || value.is_none_or(|value| value <= *allowed);
+            assert!(within, "{}: {value:?} at {x}, {y} is more than the bound says", self.title);
+        }
+    }
+
     fn draw(&self, canvas: &mut Canvas, [left, top]: [i32; 2], map: &Map) {
         let Map { x, y, cell, bar, .. } = map;
         let size = [x.cells as i32 * cell[0], y.cells as i32 * cell[1]];
@@ -127,6 +139,7 @@ impl Panel {
             canvas.fill(at, *cell, value.map_or(UNKNOWN, |value| bar.colour(value)));
         }
         let (label, beyond) = &self.line;
+        self.check(map);
         canvas.fill([left, 45], [12, 2], LINE_COLOUR);
         canvas.text([left + 16, 41], label, Stands::Right);
         let at = |px: i32, py: i32| {

@@ -115,6 +115,7 @@ pub(crate) fn map() -> Canvas {
         y,
         cell: [7, 16],
         bar,
+        allowed: 0.0,
         panels,
         notes,
     }

@@ -86,6 +86,7 @@ pub(crate) fn map() -> Canvas {
         y,
         cell: [6, 6],
         bar,
+        allowed: 0.0,
         panels,
         notes,
     }

@@ -172,6 +172,7 @@ pub(crate) fn map() -> Canvas {
         y,
         cell: [6, 5],
         bar,
+        allowed: ALLOWED,
         panels,
         notes,
     }
