@@ -34,7 +34,7 @@ pub(crate) fn t_junction() -> Canvas {
         times: 127,
         unit: "hit",
         notes: vec![
-            "A T-junction: a fault of the mesh. Rounding moves the corner off that edge: each by up to 1/2 px on whole pixels,"
+            "A T-junction: a fault of the mesh. Rounding moves the corner off that edge: by up to 1/2 px both ways on whole pixels,"
                 .into(),
             "by 1/512 px in topleft, where only pixel centres in that gap show it. The reference has the corner on both sides."
                 .into(),
