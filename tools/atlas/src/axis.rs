@@ -43,12 +43,6 @@ impl Axis {
         self.scale.value((cell as f64 + 0.5) / self.cells as f64, self.ends)
     }
 
-    /// The cell that holds a value.
-    pub(crate) fn cell(&self, value: f64) -> Option<usize> {
-        let place = self.scale.place(value, self.ends) * self.cells as f64;
-        (0.0..self.cells as f64).contains(&place).then_some(place as usize)
-    }
-
     /// 0 to 1 of a value.
     pub(crate) fn place(&self, value: f64) -> f64 {
         self.scale.place(value, self.ends)

@@ -76,7 +76,7 @@ pub(crate) fn hits(triangles: &[Triangle], width: i32, height: i32) -> Vec<u32> 
 
 /// How often a display's pixels are sent when triangles are drawn to it one by one, with clipping.
 pub(crate) fn sent(triangles: &[Triangle], size: Size) -> Vec<u32> {
-    let mut display = Sent { size, counts: vec![0; (size.width * size.height) as usize] };
+    let mut display = Sent::new(size);
     for triangle in triangles {
         let corners = triangle.map(|[x, y]| Point::new(Coord::from_bits(x), Coord::from_bits(y)));
         let Ok(()) = ShadedTriangle::flat(corners, Rgb565::WHITE).draw(&mut display);
@@ -85,9 +85,16 @@ pub(crate) fn sent(triangles: &[Triangle], size: Size) -> Vec<u32> {
 }
 
 /// A display that counts.
-struct Sent {
+pub(crate) struct Sent {
     size: Size,
-    counts: Vec<u32>,
+    /// How often each pixel was sent, in rows from the top.
+    pub(crate) counts: Vec<u32>,
+}
+
+impl Sent {
+    pub(crate) fn new(size: Size) -> Self {
+        Self { size, counts: vec![0; (size.width * size.height) as usize] }
+    }
 }
 
 impl OriginDimensions for Sent {

@@ -24,6 +24,8 @@ pub(crate) struct Map {
     /// Width and height of a cell in pixels.
     pub(crate) cell: [i32; 2],
     pub(crate) bar: Bar,
+    /// What a value may be where a line is not crossed.
+    pub(crate) allowed: f64,
     pub(crate) panels: Vec<Panel>,
     pub(crate) notes: Vec<String>,
 }
@@ -39,11 +41,15 @@ const BAR: i32 = 14;
 const MARGIN: i32 = 10;
 
 impl Map {
-    /// Measures each cell of a panel by the values in its middle.
-    pub(crate) fn cells(x: &Axis, y: &Axis, measure: impl Fn(f64, f64) -> f64) -> Vec<Option<f64>> {
+    /// Measures each cell of a panel by the values in its middle: a number, or nothing where there is no case.
+    pub(crate) fn cells<M: Into<Option<f64>>>(
+        x: &Axis,
+        y: &Axis,
+        measure: impl Fn(f64, f64) -> M,
+    ) -> Vec<Option<f64>> {
         (0..y.cells)
             .flat_map(|row| (0..x.cells).map(move |column| (column, row)))
-            .map(|(column, row)| Some(measure(x.middle(column), y.middle(row))))
+            .map(|(column, row)| measure(x.middle(column), y.middle(row)).into())
             .collect()
     }
 
@@ -101,9 +107,9 @@ impl Map {
             canvas.text([left + BAR + 6, y - LINE / 2], label, Stands::Right);
         }
         canvas.text([left, top - LINE - 4], self.bar.name, Stands::Right);
-        for (colour, label, y) in
-            [(NOTHING, "0", height - 2 * zero + 8), (UNKNOWN, "no case", height - zero + 6)]
-        {
+        let unknown = self.panels.iter().any(|panel| panel.values.contains(&None));
+        let boxes = [(NOTHING, "0", height - 2 * zero + 8), (UNKNOWN, "no case", height - zero + 6)];
+        for (colour, label, y) in boxes.into_iter().take(1 + usize::from(unknown)) {
             canvas.frame([left, top + y], [BAR, LINE], INK);
             canvas.fill([left, top + y], [BAR, LINE], colour);
             canvas.text([left + BAR + 6, top + y], label, Stands::Right);
@@ -112,6 +118,16 @@ impl Map {
 }
 
 impl Panel {
+    /// A bound that does not hold is not drawn.
+    fn check(&self, map: &Map) {
+        let Map { x, y, allowed, .. } = map;
+        for (index, value) in self.values.iter().enumerate() {
+            let (x, y) = (x.middle(index % x.cells), y.middle(index / x.cells));
+            let within = self.line.1(x, y) || value.is_none_or(|value| value <= *allowed);
+            assert!(within, "{}: {value:?} at {x}, {y} is more than the bound says", self.title);
+        }
+    }
+
     fn draw(&self, canvas: &mut Canvas, [left, top]: [i32; 2], map: &Map) {
         let Map { x, y, cell, bar, .. } = map;
         let size = [x.cells as i32 * cell[0], y.cells as i32 * cell[1]];
@@ -123,6 +139,7 @@ impl Panel {
             canvas.fill(at, *cell, value.map_or(UNKNOWN, |value| bar.colour(value)));
         }
         let (label, beyond) = &self.line;
+        self.check(map);
         canvas.fill([left, 45], [12, 2], LINE_COLOUR);
         canvas.text([left + 16, 41], label, Stands::Right);
         let at = |px: i32, py: i32| {

@@ -1,4 +1,5 @@
-//! Strips of four pictures: naive, topleft, reference, and how far the naive one is from the reference.
+//! Strips of four pictures: naive, topleft, reference, and how far the naive one is from the reference: the difference
+//! of each channel, amplified.
 
 use crate::canvas::{Canvas, Colour, INK, LINE, Stands, text_width};
 
@@ -64,7 +65,7 @@ pub(crate) struct Strip {
     pub(crate) reference: Picture,
     /// Screen pixels for each pixel.
     pub(crate) zoom: i32,
-    /// What the difference is multiplied with, and its unit.
+    /// What the difference is multiplied with, and its unit: one of it.
     pub(crate) times: u16,
     pub(crate) unit: &'static str,
     /// What is to be seen.
@@ -88,12 +89,14 @@ impl Strip {
         match count {
             0 => format!("{name}: no pixel of {of} differs from the reference."),
             _ => {
-                format!(
-                    "{name}: {count} of {of} px differ from the reference, by up to {most} {}.",
-                    self.unit
-                )
+                let most = self.amount(most.into());
+                format!("{name}: {count} of {of} px differ from the reference, by up to {most}.")
             }
         }
+    }
+
+    fn amount(&self, number: u16) -> String {
+        format!("{number} {}{}", self.unit, if number == 1 { "" } else { "s" })
     }
 
     pub(crate) fn draw(&self) -> Canvas {
@@ -102,7 +105,7 @@ impl Strip {
             format!("naive: {}", self.naive_method),
             "topleft".into(),
             "reference".into(),
-            format!("|naive - reference| x {}", self.times),
+            format!("difference x {}, white: {}", self.times, self.amount(255 / self.times)),
         ];
         let pictures = [&self.naive, &self.topleft, &self.reference, &difference];
         for picture in pictures {

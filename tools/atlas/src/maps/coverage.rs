@@ -59,7 +59,7 @@ fn wrong(inside: Inside, side: f64, bits: u32) -> f64 {
         let mut at = || random.within(0, most) as i32;
         // From one corner of the box to the other sides.
         let mut corners = [[0, 0], [most as i32, at()], [at(), most as i32]];
-        if random.next() % 2 == 0 {
+        if random.next().is_multiple_of(2) {
             corners = corners.map(|[x, y]| [most as i32 - x, y]);
             corners.swap(1, 2);
         }
@@ -100,7 +100,7 @@ pub(crate) fn map() -> Canvas {
         panel(
             "topleft's: floor((E - bias) / 2^s) in i32",
             scaled,
-            "bound: 2^((31 - s) / 2), 2^(30 - 2s)",
+            "bound: side = least of 2^((31 - s) / 2), 2^(30 - 2s)",
             |bits| ((31.0 - bits) / 2.0).min(30.0 - 2.0 * bits).exp2(),
         ),
     ];
@@ -115,6 +115,7 @@ pub(crate) fn map() -> Canvas {
         y,
         cell: [7, 16],
         bar,
+        allowed: 0.0,
         panels,
         notes,
     }

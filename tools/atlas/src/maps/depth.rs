@@ -70,7 +70,7 @@ pub(crate) fn map() -> Canvas {
         line: ("bound: no tie above".into(), Box::new(move |far: f64, apart: f64| apart < resolution(far))),
     };
     let panels = vec![
-        panel("u16 of topleft: 4 + 65528 (1 - z/w)", linear, |far| (far - 1.0) / 65_528.0),
+        panel("topleft: 4 + 65528 (1 - z/w)", linear, |far| (far - 1.0) / 65_528.0),
         panel("1/w, float e3m13 (model)", float::<3>, float_resolution::<3>),
         panel("1/w, float e4m12 (model)", float::<4>, float_resolution::<4>),
     ];
@@ -86,6 +86,7 @@ pub(crate) fn map() -> Canvas {
         y,
         cell: [6, 6],
         bar,
+        allowed: 0.0,
         panels,
         notes,
     }

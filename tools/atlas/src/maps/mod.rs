@@ -2,9 +2,14 @@
 
 mod coverage;
 mod depth;
+mod slivers;
 mod texels;
 
 use crate::Entry;
 
-pub(crate) const ALL: &[Entry] =
-    &[("map-coverage", coverage::map), ("map-depth", depth::map), ("map-texels", texels::map)];
+pub(crate) const ALL: &[Entry] = &[
+    ("map-coverage", coverage::map),
+    ("map-depth", depth::map),
+    ("map-slivers", slivers::map),
+    ("map-texels", texels::map),
+];

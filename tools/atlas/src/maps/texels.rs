@@ -104,12 +104,12 @@ fn between(texels: f64, ratio: f64) -> f64 {
 /// The same between every `N`th pixel, where it is largest.
 fn subspans_bound<const N: i32>(length: f64, ratio: f64) -> f64 {
     let case = Case::new(length, ratio);
-    let last = length as i32 - 1;
+    let Span { start, end, .. } = case.span();
     let q = |x: i32| linear(case.triangle, case.q, x.into(), 0);
-    (0..last)
+    (start..end)
         .step_by(N as usize)
         .map(|left| {
-            let right = (left + N).min(last);
+            let right = (left + N).min(end - 1);
             between(case.exact(right) - case.exact(left), q(left) / q(right))
         })
         .fold(0.0, f64::max)
@@ -165,6 +165,7 @@ pub(crate) fn map() -> Canvas {
         y,
         cell: [6, 6],
         bar,
+        allowed: ALLOWED,
         panels,
         notes,
     }

@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::drawn;
 use crate::strip::{Picture, Strip};
 
-const LEGEND: &str = "dark: hit by no triangle; pale: by one; red: by two; orange: by more";
+pub(crate) const LEGEND: &str = "dark: hit by no triangle; pale: by one; red: by two; orange: by more";
 
 /// Hits of triangles, by a naive method's own count.
 fn hits(
@@ -33,7 +33,7 @@ fn hits(
         reference: picture(coverage_counts(triangles, viewport)),
         zoom,
         times: 127,
-        unit: "hits",
+        unit: "hit",
         notes: vec![note.into(), LEGEND.into()],
     }
     .draw()
@@ -103,7 +103,7 @@ pub(crate) fn beyond_the_guard() -> Canvas {
         reference: Picture::of_hits(66, coverage_counts(&[right_angle], viewport)),
         zoom: 3,
         times: 127,
-        unit: "hits",
+        unit: "hit",
         notes: vec![
             "Its box has more than 2^23 px: the edge functions in steps of 2^-8 px^2 wrap. topleft clips it at the guard rectangle."
                 .into(),
@@ -137,7 +137,7 @@ pub(crate) fn turned_over() -> Canvas {
         reference: exact(split(&|i| facing(triangles[i]) == Facing::Front)),
         zoom: 8,
         times: 127,
-        unit: "hits",
+        unit: "hit",
         notes: vec![
             "Four triangles without a fold; front hits minus back hits should be 1. The sliver shows its front before, and".into(),
             "its back after rounding. Dark: 0; pale: 1; red: 2; orange: 3.".into(),
@@ -195,7 +195,7 @@ pub(crate) fn alpha_inside() -> Canvas {
         reference: covered(coverage_counts(&triangles, viewport)),
         zoom: 8,
         times: 2,
-        unit: "codes of 255",
+        unit: "code",
         notes: vec![
             "Eight triangles of one colour. Inside, the difference is the leak: c (1 - c) of the background, up to a quarter."
                 .into(),

@@ -50,7 +50,7 @@ pub(crate) fn needles() -> Canvas {
         reference: greys(&shaded, linear),
         zoom: 3,
         times: 2,
-        unit: "codes of 255",
+        unit: "code",
         notes: vec!["30 000 needles from dark to light; each shows few pixels or none. Gradients that wrap are right where it counts.".into()],
     }
     .draw()
@@ -71,7 +71,7 @@ pub(crate) fn large() -> Canvas {
         reference: greys(&shaded, linear),
         zoom: 3,
         times: 4,
-        unit: "codes of 255",
+        unit: "code",
         notes: vec!["A triangle of 38 000 px and a sliver on it. topleft keeps 31 bits of the reciprocal of any area.".into()],
     }
     .draw()
