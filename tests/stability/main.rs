@@ -5,6 +5,16 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+#[path = "../against_reference/probe.rs"]
+#[allow(dead_code, reason = "one function of it is used")]
+mod probe;
+#[path = "../against_reference/random.rs"]
+#[allow(dead_code, reason = "`probe` uses it")]
+mod random;
+
 mod figure;
+mod planes;
 
 mod coverage;
+mod depth;
+mod order;

@@ -47,6 +47,13 @@ pub fn from_the_given_vertex(triangle: Triangle, values: [f64; 3], x: i64, y: i6
     f64::from(values[0] + gx * (centre(x) - ax) + gy * (centre(y) - ay))
 }
 
+/// Depth with a bias of its steepest slope and no clamp, which keeps decals on gentle slopes in front: a sliver comes in
+/// front of everything.
+pub fn with_slope_bias(triangle: Triangle, depths: [f64; 3], x: i64, y: i64) -> f64 {
+    let [gx, gy] = slopes(triangle, depths);
+    linear(triangle, depths, x, y) + gx.abs().max(gy.abs())
+}
+
 /// A sum of Q16.16 gradients from the pixel of the first vertex on.
 fn from_the_first_vertex(triangle: Triangle, first: f64, [gx, gy]: [i64; 2], x: i64, y: i64) -> f64 {
     let [ax, ay] = triangle[0].map(i64::from);
