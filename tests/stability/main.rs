@@ -18,3 +18,5 @@ mod planes;
 mod coverage;
 mod depth;
 mod order;
+mod perspective;
+mod textures;

@@ -9,4 +9,5 @@ pub mod edge_function;
 pub mod scanline;
 pub mod plane;
 pub mod sample;
+pub mod texel;
 pub mod alpha_edges;

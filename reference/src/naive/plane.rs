@@ -64,7 +64,7 @@ fn from_the_first_vertex(triangle: Triangle, first: f64, [gx, gy]: [i64; 2], x: 
 }
 
 /// The exact steps of a plane a pixel to the right and a pixel down.
-fn slopes(triangle: Triangle, values: [f64; 3]) -> [f64; 2] {
+pub(super) fn slopes(triangle: Triangle, values: [f64; 3]) -> [f64; 2] {
     let at = |x, y| linear(triangle, values, x, y);
     [at(1, 0) - at(0, 0), at(0, 1) - at(0, 0)]
 }
