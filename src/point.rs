@@ -27,7 +27,8 @@ impl Point {
     }
 }
 
-/// A point from floats, rounded to the nearest 1/256 px, halves away from zero.
+/// A point from floats, rounded to the nearest 1/256 px, halves up: what is moved by whole pixels is
+/// drawn the same.
 ///
 /// Coordinates beyond ±8 388 608 px are held there. A point that is not finite is nowhere: what has it draws nothing.
 ///
@@ -48,16 +49,18 @@ const fn steps(value: f32) -> i32 {
     let mantissa = (bits & 0x7F_FFFF | 0x80_0000) as i64;
     // value = mantissa * 2^(exponent - 150), and a step is 2^-8.
     let shift = exponent - 150 + SUBPIXEL_BITS as i32;
+    let negative = bits >> 31 == 1;
     let size = if shift > 31 {
         1 << 31
     } else if shift >= 0 {
         mantissa << shift
     } else if shift >= -25 {
-        ((mantissa >> (-shift - 1)) + 1) >> 1
+        // Halves up: of a negative number, to the smaller size.
+        (mantissa + (1 << (-shift - 1)) - negative as i64) >> -shift
     } else {
         0
     };
-    let signed = if bits >> 31 == 0 { size } else { -size };
+    let signed = if negative { -size } else { size };
     if signed > i32::MAX as i64 {
         i32::MAX
     } else if signed < i32::MIN as i64 {
@@ -79,7 +82,7 @@ mod tests {
             let value = f32::from_bits(state);
             if value.is_finite() {
                 let exact =
-                    (f64::from(value) * 256.0).round().clamp(f64::from(i32::MIN), f64::from(i32::MAX));
+                    (f64::from(value) * 256.0 + 0.5).floor().clamp(f64::from(i32::MIN), f64::from(i32::MAX));
                 assert_eq!(steps(value), exact as i32, "{value}");
             }
         }

@@ -12,11 +12,16 @@ mod probe;
 #[allow(dead_code, reason = "`probe` uses it")]
 mod random;
 
+#[path = "../any_input/edges.rs"]
+mod edges;
+
 mod figure;
 mod planes;
 
 mod coverage;
 mod depth;
+mod input_range;
 mod order;
 mod perspective;
+mod slivers;
 mod textures;
