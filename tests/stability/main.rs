@@ -18,10 +18,12 @@ mod edges;
 mod figure;
 mod planes;
 
+mod clipping;
 mod coverage;
 mod depth;
 mod input_range;
 mod order;
+mod origin;
 mod perspective;
 mod slivers;
 mod textures;

@@ -5,6 +5,7 @@ pub mod triangles;
 
 pub mod snap;
 pub mod screen_clip;
+pub mod near;
 pub mod edge_function;
 pub mod scanline;
 pub mod plane;
