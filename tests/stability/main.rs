@@ -27,3 +27,4 @@ mod origin;
 mod perspective;
 mod slivers;
 mod textures;
+mod time;
