@@ -28,6 +28,8 @@ pub struct Frame {
     sun: ([Number; 3], u8),
     first: Draw,
     second: Option<Draw>,
+    /// The first once more: its shader's vertices are then on both sides of another's.
+    again: bool,
 }
 
 #[derive(Arbitrary, Clone, Debug)]
@@ -48,7 +50,10 @@ impl Frame {
     /// # Panics
     /// Two of them differ, or what is drawn cannot be.
     pub fn check(&self) -> usize {
-        let draws: Vec<&Draw> = [Some(&self.first), self.second.as_ref()].into_iter().flatten().collect();
+        let draws: Vec<&Draw> = [Some(&self.first), self.second.as_ref(), self.again.then_some(&self.first)]
+            .into_iter()
+            .flatten()
+            .collect();
         let slices: Vec<_> = draws.iter().map(|draw| draw.soup.slices()).collect();
         let texels = self.image.texels();
         let (direction, ambient) = self.sun;

@@ -1,4 +1,5 @@
-//! Meshes drawn in every way that must not differ: by both traversals, in strips of any height, and to a display.
+//! Meshes drawn in every way that must not differ: by both traversals, in strips of any height, to a display, and from a
+//! list each.
 
 use std::fmt::Debug;
 use std::ops::Range;
@@ -88,7 +89,45 @@ impl Picture<'_> {
             return Err(format!("{outcomes:?} by one traversal, {others:?} by the other"));
         }
         self.check_outcomes(&outcomes)?;
+        if outcomes.iter().all(|(result, _)| result.is_ok()) {
+            self.apart::<P, D>().same("a list for each mesh", &frame)?;
+        }
         Ok(frame)
+    }
+
+    /// The frame from a list of its own for each mesh, which has room for it, one rendered over the other.
+    fn apart<P, D>(&self) -> Frame<P>
+    where
+        P: Pixel + PixelColor + RgbColor + Debug,
+        D: Strips,
+    {
+        let cells = self.columns * self.rows.len();
+        let (mut colours, mut depths) = (vec![P::BLACK; cells], vec![7; cells]);
+        let mut strip = D::strip(self.columns as u16, &mut colours, &mut depths);
+        strip.clear();
+        for item in &self.items {
+            let [most_words, most_triangles] = most(item);
+            let (mut words, mut triangles) = (vec![0; most_words], vec![ListTriangle::EMPTY; most_triangles]);
+            let mut list = DrawList::<P, D, Spans>::with_traversal(&mut words, &mut triangles);
+            // What it returns was looked at where all are in one list.
+            let _ = self.add(&mut list, item);
+            list.render(self.rows.clone(), &mut strip);
+        }
+        drop(strip);
+        Frame { width: self.columns, colours, depths }
+    }
+
+    /// Draws a mesh into a list.
+    fn add<'a, P, D, T>(&self, list: &mut DrawList<'a, P, D, T>, item: &Item<'a>) -> Result<(), DrawError>
+    where
+        P: Pixel,
+        D: Strips,
+        T: Traversal,
+    {
+        match &self.camera {
+            Seen::Perspective(camera) => add(list, camera, item),
+            Seen::Level(camera) => add(list, camera, item),
+        }
     }
 
     fn by<P, D, T>(&self) -> Result<(Outcomes, Frame<P>), String>
@@ -101,10 +140,7 @@ impl Picture<'_> {
         let (mut words, mut triangles) = (vec![0; words], vec![ListTriangle::EMPTY; triangles]);
         let mut list = DrawList::<P, D, T>::with_traversal(&mut words, &mut triangles);
         let draw = |item: &_| {
-            let result = match &self.camera {
-                Seen::Perspective(camera) => add(&mut list, camera, item),
-                Seen::Level(camera) => add(&mut list, camera, item),
-            };
+            let result = self.add(&mut list, item);
             (result, list.stats())
         };
         let outcomes = self.items.iter().map(draw).collect();
@@ -146,18 +182,18 @@ impl Picture<'_> {
     /// Every face is accounted for, and nothing is refused without a reason.
     fn check_outcomes(&self, outcomes: &Outcomes) -> Result<(), String> {
         let mut before = Stats::default();
-        let mut most = [0; 2];
+        let mut needed = [0; 2];
         for (item, &(result, after)) in self.items.iter().zip(outcomes) {
-            let (faces, vertices) = (item.mesh.faces().len(), item.mesh.positions().len());
-            // Nine vertices and seven triangles of each face that is cut, and padding: up to eight words a vertex.
-            most = [most[0] + (vertices + 9 * faces + 1) * 8, most[1] + 7 * faces];
+            let faces = item.mesh.faces().len();
+            let [words, triangles] = most(item);
+            needed = [needed[0] + words, needed[1] + triangles];
             match (result, Viewport::new(self.size)) {
                 (Err(DrawError::TooLarge(size)), Err(_)) if size == self.size && after == before => {}
                 (_, Err(_)) => return Err(format!("{result:?} for a target of {}", self.size)),
                 (Err(DrawError::Full { .. }), Ok(_))
-                    if self.storage[0] >= most[0] && self.storage[1] >= most[1] =>
+                    if self.storage[0] >= needed[0] && self.storage[1] >= needed[1] =>
                 {
-                    return Err(format!("{result:?}, and {most:?} are enough"));
+                    return Err(format!("{result:?}, and {needed:?} are enough"));
                 }
                 (_, Ok(_)) => adds_up(before, after, result, faces)?,
             }
@@ -167,7 +203,14 @@ impl Picture<'_> {
     }
 }
 
-/// Draws a mesh into a list.
+/// The most words and triangles that a mesh takes: nine vertices and seven triangles of each face that is cut, and
+/// padding; up to eight words a vertex.
+fn most(item: &Item<'_>) -> [usize; 2] {
+    let (faces, vertices) = (item.mesh.faces().len(), item.mesh.positions().len());
+    [(vertices + 9 * faces + 1) * 8, 7 * faces]
+}
+
+/// Draws a mesh into a list by its shader.
 fn add<'a, P: Pixel, D: Strips, T: Traversal>(
     list: &mut DrawList<'a, P, D, T>,
     camera: &impl Camera,

@@ -13,6 +13,7 @@ use crate::lens::{Lens, Seen};
 use crate::numbers::Number;
 use crate::soup::Image;
 use crate::support::exact::{compare, compare_mesh, expected};
+use crate::support::same;
 use crate::support::winding::setup;
 
 /// Any triangle.
@@ -94,20 +95,36 @@ impl Case {
                     .map(|()| target.hits.iter().filter(|&&hits| hits != 0).count())
             }
             Kind::Window { corners, window, values } => windowed(corners.map(Corner::at), *window, *values),
-            Kind::Seen { positions, lens, size } => seen(positions, lens, *size),
+            Kind::Seen { positions, lens, size } => seen(*positions, lens, *size),
         };
         pixels.unwrap_or_else(|error| panic!("{error}\n{self:#?}"))
     }
 }
 
-/// Coverage of a mesh of one face.
-fn seen(positions: &[[i16; 3]; 3], lens: &Lens, size: [u8; 2]) -> Result<usize, String> {
+/// Coverage of a mesh of one face, from whichever corner and whichever way round: clipping must not see a difference, or
+/// neighbours would have different ends of the edge that they share.
+fn seen([a, b, c]: [[i16; 3]; 3], lens: &Lens, size: [u8; 2]) -> Result<usize, String> {
     let [width, height] = size.map(|length| u32::from(length % 64 + 1));
-    let mesh = Mesh::new(positions, &[[0, 1, 2]]).map_err(|error| error.to_string())?;
-    let (_, hits) = match lens.camera(Size::new(width, height)) {
-        Seen::Perspective(camera) => compare_mesh(&camera, &mesh, &Pose::new()),
-        Seen::Level(camera) => compare_mesh(&camera, &mesh, &Pose::new()),
-    }?;
+    let camera = lens.camera(Size::new(width, height));
+    let drawn = |positions: [[i16; 3]; 3]| {
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).map_err(|error| error.to_string())?;
+        let (polygons, hits) = match &camera {
+            Seen::Perspective(camera) => compare_mesh(camera, &mesh, &Pose::new()),
+            Seen::Level(camera) => compare_mesh(camera, &mesh, &Pose::new()),
+        }?;
+        let mut edges = polygons.edges();
+        for edge in &mut edges {
+            edge.sort_unstable();
+        }
+        edges.sort_unstable();
+        Ok::<_, String>((edges, hits))
+    };
+    let (edges, hits) = drawn([a, b, c])?;
+    let (others, other) = drawn([c, b, a])?;
+    if edges != others {
+        return Err(format!("{edges:?} one way round, {others:?} the other"));
+    }
+    same("hits the other way round", width as usize, &other, &hits)?;
     Ok(hits.iter().filter(|&&hits| hits != 0).count())
 }
 
