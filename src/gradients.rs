@@ -91,7 +91,7 @@ impl Gradients {
         let high = sum(|g| (g >> 32) as i32 & 0xFF);
         // The middle is taken as signed, which is one of the high ones less where its top bit is set.
         let borrowed = sum(|g| i32::from((g as i32) < 0));
-        (high + borrowed << 24).wrapping_add(middle << 8).wrapping_add(low + (1 << 7) >> 8)
+        ((high + borrowed) << 24).wrapping_add(middle << 8).wrapping_add((low + (1 << 7)) >> 8)
     }
 
     /// The numerator over the area, to nearest: in pixels, not in their 256 steps.

@@ -176,6 +176,51 @@ fn row_11_what_reaches_behind_the_eye_is_mirrored_or_vanishes() {
     assert_eq!(seen.not_skipped.get(), 0);
 }
 
+/// A vertex that comes nearer through the near plane, a 32768th of a unit a frame: the pixels that triangles skipped for
+/// it lose from one frame to the next, and the most that `topleft` changes.
+pub(crate) fn through_the_near_plane() -> (u64, usize) {
+    let (lost, most) = (Cell::new(0), Cell::new(0));
+    check(500, &(in_view(), in_view(), [-500..=500_i16, -500..=500_i16]), |(a, b, [x, y])| {
+        let frame = |z: i16| {
+            let positions = [a, b, [x, y, z]];
+            let mesh = Mesh::new(&positions, &[[0, 1, 2]]).expect("three vertices");
+            let mesh = mesh.with_box([Length::ZERO; 3], Length::ONE);
+            let clips = [0, 1, 2].map(|vertex| EYE.apply_point(model_position(&mesh, vertex)));
+            let skipped = coverage_counts(near::skipped_if_behind(clips, VIEW).as_slice(), VIEW);
+            (skipped.iter().sum::<u32>(), draw(&eye(), &mesh, &Pose::new(), ALL).hits)
+        };
+        // The near plane is at 512.
+        let mut before = frame(516);
+        for z in (508..516).rev() {
+            let now = frame(z);
+            if z == 511 {
+                add(&lost, (before.0 - now.0) as usize);
+            }
+            let changed = before.1.iter().zip(&now.1).filter(|(a, b)| a != b).count();
+            most.set(most.get().max(changed));
+            before = now;
+        }
+        Ok(())
+    });
+    (lost.get(), most.get())
+}
+
+// Red when a triangle is left out because the near plane cuts it: all of it goes at once.
+#[test]
+fn row_11_a_triangle_pops_where_its_vertex_crosses_the_near_plane() {
+    let (lost, most) = through_the_near_plane();
+    println!(
+        "row 11, skipped: {} px of 500 triangles vanish in one frame; topleft changes {most} px of one at most",
+        grouped(lost)
+    );
+    // Three points of a rectangle have 11/144 of it between them on average; half of that for chance.
+    assert!(lost > 500 * 64 * 48 * 11 / 144 / 2);
+    // The vertex moves by 32/512 px and 1/256 for its rounding, and so no centre but one a column, or a row, of 64 is
+    // passed by either of its two edges. What is cut off of it is moved by 65 535 / 7 680 steps of 1/16 px along them:
+    // below a pixel, so two of a row and of the next.
+    assert!(most <= 2 * 64 + 4);
+}
+
 /// Edges cut in both of their triangles: of how many the two crossings are snapped apart in `f32` and in Q16.16, how far
 /// at most in steps; and how many pairs share a vertex that `topleft` made.
 #[derive(Clone, Debug, Default)]

@@ -175,7 +175,7 @@ pub(crate) fn empty_targets() -> (u64, u64) {
             let whole_rows = within.len() / width as usize * width as usize;
             let mut strip =
                 Strip::new(width as u16, &mut within[..whole_rows]).map_err(|e| format!("{e:?}"))?;
-            for rows in [0..0, 5..2, 900..903, -8..-1] {
+            for rows in [0..0, std::ops::Range { start: 5, end: 2 }, 900..903, -8..-1] {
                 list.render(rows, &mut strip);
             }
         }

@@ -1,4 +1,4 @@
-//! Rows 5 to 9: triangles with little or no area.
+//! Rows 5 to 9: triangles without an area, with hardly any, and those that rounding makes.
 
 use std::cell::Cell;
 
@@ -6,211 +6,319 @@ use embedded_graphics::prelude::*;
 use proptest::prelude::*;
 use reference::naive::{edge_function, plane, snap, triangles};
 use reference::raster::{counts_by, coverage_counts, winding_numbers};
-use reference::setup::{self, Triangle};
+use reference::setup::{Triangle, area2};
 use reference::transform::Viewport;
-use reference::varying::linear;
-use topleft::stages::Varying;
+use reference::varying::{barycentrics, linear};
+use topleft::stages::{Setup, Snapped, Span, Varying, Window};
 use topleft::{Attribute, BoxWalk, Spans};
 
 use crate::coverage::sent;
-use crate::figure::grouped;
-use crate::probe::{Covered, range};
-use crate::random::{Kind, Random};
-use crate::support::check;
+use crate::figure::{Tally, grouped, unsigned};
 use crate::support::tolerance::interpolation;
-use crate::support::winding::{Edge, hits, winding_of};
+use crate::support::winding::{hits, setup, winding_of};
+use crate::support::{check, exact};
 
-const VIEW: Viewport = Viewport { width: 40, height: 40 };
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
-/// Triangles without an area, on a lattice of half pixels or of 1/256: pixels that a test of one sign gives them, and
-/// those that the library does.
-pub(crate) fn without_area() -> [u64; 2] {
-    let counts = [const { Cell::new(0) }; 2];
-    let lattice = prop_oneof![Just(128), Just(1)];
-    let line = ([2..20_i32, 2..20_i32], [-4..5_i32, -4..5_i32], prop::array::uniform3(-3..4_i32), lattice);
-    check(1_000, &line, |(from, along, parts, unit)| {
-        // Three points on a line, often two or all of them the same.
-        let corner = |part: i32| [0, 1].map(|axis| from[axis] * 256 + 128 + along[axis] * part * unit);
-        let [a, b, c] = parts.map(corner);
-        for order in [[a, b, c], [b, c, a], [c, a, b], [a, c, b], [c, b, a], [b, a, c]] {
-            let naive = counts_by(edge_function::one_sign, &[order], VIEW)
-                .iter()
-                .map(|&hits| u64::from(hits))
-                .sum::<u64>();
-            let ours = sent(&[order], Size::new(40, 40)).iter().map(|&hits| u64::from(hits)).sum::<u64>();
-            counts[0].set(counts[0].get() + naive);
-            counts[1].set(counts[1].get() + ours);
+fn common_divisor(a: i32, b: i32) -> i32 {
+    if b == 0 { a } else { common_divisor(b, a % b) }
+}
+
+/// Points on a line through centres of pixels, or one point three times: what one-sign tests draw of them, at how many
+/// centres barycentrics have no value, and what `topleft` does.
+pub(crate) fn without_area() -> (u64, u64, Tally) {
+    const VIEW: Viewport = Viewport { width: 40, height: 40 };
+    let (drawn, no_number, ours) = (Cell::new(0), Cell::new(0), Tally::default());
+    let lines = ([0..20_i32, 0..20_i32], [0..20_i32, 0..20_i32], 0..=256_i32);
+    check(2_000, &lines, |(from, along, part)| {
+        let start = from.map(|pixel| pixel * 256 + 128);
+        let divisor = common_divisor(along[0], along[1]);
+        // A whole number of the shortest steps between centres, so that the middle point lies on the line as well.
+        let steps = divisor * part / 256;
+        let at = |steps: i32| [0, 1].map(|k| start[k] + along[k] / divisor.max(1) * steps * 256);
+        let points = [start, at(steps), at(divisor)];
+        for order in ORDERS {
+            let triangle: Triangle = order.map(|i| points[i]);
+            let by_sign: u32 = counts_by(edge_function::one_sign, &[triangle], VIEW).iter().sum();
+            if by_sign.cast_signed() != divisor + 1 {
+                return Err(format!("{by_sign} of {} centres are drawn", divisor + 1));
+            }
+            drawn.set(drawn.get() + u64::from(by_sign));
+            let [x, y] = from.map(i64::from);
+            let weights = barycentrics(triangle, x, y);
+            no_number.set(no_number.get() + u64::from(weights.iter().all(|weight| weight.is_nan())));
+            if setup(triangle).is_some() {
+                return Err("a triangle without an area is set up".into());
+            }
+            if ours.add(&sent(&[triangle], Size::new(40, 40)), &[0; 1600]) != 0 {
+                return Err("a triangle without an area is drawn".into());
+            }
         }
-        if counts[1].get() == 0 { Ok(()) } else { Err("a line is drawn".into()) }
+        Ok(())
     });
-    counts.map(|count| count.get())
+    (drawn.get(), no_number.get(), ours)
 }
 
-// Red when an area of 0 is not left out: `Setup::sorted`. (Its reciprocal counts 0 as 1.)
+// Red when `Setup::sorted` takes an area of 0: it divides by it.
 #[test]
-fn row_5_triangles_without_an_area_are_drawn_as_lines() {
-    let [naive, ours] = without_area();
+fn row_5_a_triangle_without_area_is_drawn_or_divided_by() {
+    let (drawn, no_number, ours) = without_area();
     println!(
-        "row 5, one sign or 0: {} px of 6 000 triangles without an area; topleft {ours}",
-        grouped(naive)
+        "row 5, edge functions of one sign: {} px drawn of 12 000 triangles without area, {} times 0 / 0; topleft {} px",
+        grouped(drawn),
+        grouped(no_number),
+        ours.wrong()
     );
-    // Each line begins on a pixel's centre.
-    assert!(naive > 6_000);
-    assert_eq!(ours, 0);
+    // One centre each at least, and all three weights are 0 / 0 at the centre that the line starts from.
+    assert!(drawn >= 12_000);
+    assert_eq!(no_number, 12_000);
+    assert_eq!(ours.wrong(), 0);
 }
 
-/// Slivers that rounding turns over, between two triangles: pixels, those whose front less back hits are wrong where the
-/// side is decided before rounding, and by the library.
-pub(crate) fn turned_over() -> [u64; 3] {
-    let counts = [const { Cell::new(0) }; 3];
-    check(500, &([2..10_u8, 11..25_u8], 12..28_u8, 0.3..0.6), |(place, length, part)| {
-        let places = triangles::turned_over(place.map(f64::from), length.into(), part);
-        let snapped: Vec<Triangle> = places
-            .iter()
-            .map(|one| one.map(|place| place.map(|c| setup::snap(c).expect("finite"))))
-            .collect();
-        let edges: Vec<Edge> =
-            snapped.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).filter(|[a, b]| a != b).collect();
-        let exact = winding_of(&edges, 40, 40);
-        let mut naive = vec![0; exact.len()];
-        for (before, &after) in places.iter().zip(&snapped) {
+/// Slivers that snapping turns over: winding numbers with their facing from before, and `topleft`'s; how many centres
+/// lie on their edges.
+pub(crate) fn turned_over() -> (Tally, Tally, u64) {
+    const VIEW: Viewport = Viewport { width: 64, height: 40 };
+    let (naive, ours, on_edges) = (Tally::default(), Tally::default(), Cell::new(0));
+    let cases = ([1..8_i32, 15..25_i32], 16..48_i32, 0.25..0.75);
+    check(2_000, &cases, |(place, length, part)| {
+        let before = triangles::turned_over(place.map(f64::from), f64::from(length), part);
+        let snapped = before
+            .map(|corners| corners.map(|corner| corner.map(|c| reference::setup::snap(c).expect("finite"))));
+        let [a, b, over] = snapped[0];
+        let (m, under) = (snapped[1][1], snapped[2][1]);
+        if snap::area2_before(before[1]) >= 0.0 || area2(snapped[1]) <= 0 {
+            return Err("snapping does not turn the sliver over".into());
+        }
+        let right = winding_of(&[[a, under], [under, b], [b, over], [over, a]], 64, 40);
+        let mut winding = vec![0; right.len()];
+        for (before, &snapped) in before.iter().zip(&snapped) {
             let sign = if snap::area2_before(*before) < 0.0 { 1 } else { -1 };
-            for (sum, hits) in naive.iter_mut().zip(coverage_counts(&[after], VIEW)) {
-                *sum += sign * hits as i32;
+            for (sum, hits) in winding.iter_mut().zip(coverage_counts(&[snapped], VIEW)) {
+                *sum += sign * hits.cast_signed();
             }
         }
-        if exact != winding_numbers(&snapped, VIEW) {
-            return Err("the winding of edges is not that of triangles".into());
+        // The centres of the row from the middle vertex up to the right one: on the sliver's top edge.
+        let first = (m[0] - 128 + 255).div_euclid(256);
+        let end = (b[0] - 128 + 255).div_euclid(256);
+        on_edges.set(on_edges.get() + (end - first).unsigned_abs() as u64);
+        naive.add(&unsigned(&winding), &unsigned(&right));
+        let both = [hits::<Spans>(snapped, 64, 40), hits::<BoxWalk>(snapped, 64, 40)];
+        let wrong: u64 = both.iter().map(|grids| ours.add(&unsigned(&grids.signed), &unsigned(&right))).sum();
+        let back = setup(snapped[1]).is_some_and(|setup| {
+            setup.points() == [m, b, a].map(|[x, y]| Snapped::from_bits(x, y)) && setup.area2() > 0
+        });
+        if wrong == 0 && back {
+            Ok(())
+        } else {
+            Err(format!("{wrong} px are wrong, or the sliver shows its front"))
         }
-        let wrong = |found: &[i32]| found.iter().zip(&exact).filter(|(a, b)| a != b).count() as u64;
-        let spans = hits::<Spans>(snapped.iter().copied(), 40, 40);
-        let boxes = hits::<BoxWalk>(snapped.iter().copied(), 40, 40);
-        let ours = wrong(&spans.signed) + wrong(&boxes.signed);
-        let pixels = exact.iter().filter(|&&winding| winding != 0).count() as u64;
-        for (count, more) in counts.iter().zip([pixels, wrong(&naive), ours]) {
-            count.set(count.get() + more);
-        }
-        if ours == 0 { Ok(()) } else { Err(format!("{ours} px are wrong")) }
     });
-    counts.map(|count| count.get())
+    (naive, ours, on_edges.get())
 }
 
-// Red when facing is not that of the snapped corners.
+// Red when facing is taken from anything but the snapped vertices: `Setup::sorted`, `area2`.
 #[test]
-fn row_6_a_sliver_turned_over_by_rounding_is_counted_as_what_it_was() {
-    let [pixels, naive, ours] = turned_over();
+fn row_6_facing_from_before_snapping_counts_a_sliver_on_the_wrong_side() {
+    let (naive, ours, on_edges) = turned_over();
     println!(
-        "row 6, facing before rounding: {} of {} px wrong in 500 meshes; topleft {ours}",
-        grouped(naive),
-        grouped(pixels)
+        "row 6, facing from before snapping: {} px wound wrongly by 2 000 slivers; topleft {}",
+        grouped(naive.extra()),
+        ours.wrong()
     );
-    // The turned sliver lies on the centres of a row for 0.4 of its 12 to 27 px at the least: 4 px in each mesh.
-    assert!(naive >= 4 * 500);
-    assert_eq!(ours, 0);
+    // The mesh is folded there after snapping: two fronts less a back are 1, and with the back taken for a front 3.
+    assert_eq!((naive.extra(), naive.missing()), (on_edges, 0));
+    assert!(on_edges >= 2_000 * 3);
+    assert_eq!(ours.wrong(), 0);
 }
 
-/// A naive method, of the form of `linear`.
-type Method = fn(Triangle, [f64; 3], i64, i64) -> f64;
+/// The worst errors on slivers, in codes of 255.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Worst {
+    /// Saturated gradients: the worst, and the best of each triangle's worst.
+    pub(crate) saturated: Cell<f64>,
+    pub(crate) least_saturated: Cell<f64>,
+    /// A plane in `f32` counted from the corner of the screen.
+    pub(crate) from_the_corner: Cell<f64>,
+    pub(crate) ours: Cell<f64>,
+    /// As a part of the bound.
+    pub(crate) of_bound: Cell<f64>,
+    pub(crate) pixels: Cell<u64>,
+}
 
-/// The worst errors over triangles of a kind with values of 0 to 255: of a naive method, of the library, and the
-/// library's largest share of its bound.
-pub(crate) fn interpolated(kind: Kind, count: u32, naive: Method) -> [f64; 3] {
-    let (mut worst, mut random) = ([0.0_f64; 3], Random::new(7));
-    for _ in 0..count {
-        let covered = Covered::new(kind.triangle(&mut random));
-        let values = [(); 3].map(|()| random.within(0, 255) as f64);
-        let gradients = covered.setup.gradients();
-        let plane = Attribute::plane(&gradients, values.map(Attribute::from_num));
+impl Worst {
+    fn new() -> Self {
+        Self { least_saturated: Cell::new(f64::INFINITY), ..Self::default() }
+    }
+
+    /// All pixels of a triangle on a panel of 320 x 240.
+    fn add(&self, triangle: Triangle, codes: [i32; 3]) -> Result<(), String> {
+        let window = Window { columns: 0..320, rows: 0..240 };
+        let spans = exact::expected(triangle, &window);
+        exact::compare::<Spans>(triangle, &window, &spans)?;
+        exact::compare::<BoxWalk>(triangle, &window, &spans)?;
+        let values = codes.map(f64::from);
+        let snapped = triangle.map(|[x, y]| Snapped::from_bits(x, y));
+        let (setup, order) = Setup::new(snapped).ok_or("it has an area")?;
+        let gradients = setup.gradients();
+        let plane = Attribute::plane(&gradients, order.map(|i| Attribute::from_bits(codes[i] << 16)));
         let [ax, ay] = gradients.anchor();
-        for span in &covered.spans {
-            for x in [span.start, (span.start + span.end) / 2, span.end - 1] {
-                let (column, row) = (i64::from(x), i64::from(span.y));
-                let exact = linear(covered.triangle, values, column, row);
-                let ours: f64 = plane.at(x - ax, span.y - ay).to_num();
-                let bound = interpolation(16, covered.steps(x, span.y), range(values));
-                let errors = [
-                    naive(covered.triangle, values, column, row) - exact,
-                    ours - exact,
-                    (ours - exact) / bound,
-                ];
-                worst = [0, 1, 2].map(|i| worst[i].max(errors[i].abs()));
+        let mut saturated = 0.0_f64;
+        for Span { y, start, end } in spans {
+            for x in start..end {
+                let (px, py) = (i64::from(x), i64::from(y));
+                let exact = linear(triangle, values, px, py);
+                saturated = saturated.max((plane::saturated(triangle, values, px, py) - exact).abs());
+                let corner = (plane::from_the_corner(triangle, values, px, py) - exact).abs();
+                raise(&self.from_the_corner, corner);
+                let ours = plane.at(x - ax, y - ay).to_bits();
+                let error = (f64::from(ours) / 65_536.0 - exact).abs();
+                let steps = u64::from(x.abs_diff(ax)) + u64::from(y.abs_diff(ay));
+                let bound = interpolation(16, steps, 255.0);
+                if error > bound {
+                    return Err(format!("{error} of {bound} codes at {x}, {y}"));
+                }
+                raise(&self.ours, error);
+                raise(&self.of_bound, error / bound);
+                self.pixels.set(self.pixels.get() + 1);
             }
         }
+        raise(&self.saturated, saturated);
+        self.least_saturated.set(self.least_saturated.get().min(saturated));
+        Ok(())
     }
+}
+
+fn raise(most: &Cell<f64>, value: f64) {
+    most.set(most.get().max(value));
+}
+
+/// Slivers that become 1/256 px wide, and steeper than 45 degrees, over centres of pixels.
+pub(crate) fn slivers() -> Worst {
+    let worst = Worst::new();
+    let cases = ([0..100_i32, 0..40_i32], [1..8_i32, 1..8_i32], 2..14_i32, [0..=255_i32, 0..=31, 224..=255]);
+    check(3_000, &cases, |(from, [p, more], times, codes)| {
+        worst.add(triangles::needle(from, [p * times, (p + more) * times], [1, 0]), codes)
+    });
     worst
 }
 
-fn print(row: u32, method: &str, [naive, ours, share]: [f64; 3]) {
+// Red when gradients saturate, or the start of a plane is not exact modulo 2^32: `Gradients::plane`.
+#[test]
+fn row_7_gradients_that_saturate_are_lost_on_a_sliver() {
+    let worst = slivers();
     println!(
-        "row {row}, {method}: {naive:.1} of 255 codes off at worst; topleft {ours:.5}, {share:.2} of its bound"
+        "row 7, Q16.16 gradients that saturate: up to {:.0} codes wrong on 3 000 slivers; topleft {:.5}, {:.2} of its bound, {} px",
+        worst.saturated.get(),
+        worst.ours.get(),
+        worst.of_bound.get(),
+        grouped(worst.pixels.get())
     );
+    // gx is 256 (c - b), at least 49 408 a column where 32 768 fit; gy is -gx p / q and what the first value adds. From
+    // the first vertex to a centre it is p columns and q rows: the error is p (49 408 - 32 768) at least where gy fits,
+    // 32 768 (q - p) where it does not; less the values themselves.
+    assert!(worst.least_saturated.get() > 16_640.0 - 2.0 * 256.0);
+    assert!(worst.of_bound.get() <= 1.0);
 }
 
-// Red when gradients saturate, or their product with steps does not wrap: `Varying::times`.
-#[test]
-fn row_7_saturated_gradients_lose_slivers_of_a_256th_of_a_pixel() {
-    let worst = interpolated(Kind::Needle, 20_000, plane::saturated);
-    print(7, "saturated gradients", worst);
-    // Saturated at 32 768 a pixel, where a needle of 1/256 px has up to 255 * 256 = 65 280: half of a gradient is missing,
-    // times hundreds of pixels.
-    assert!(worst[0] > 32_768.0);
-    assert!(worst[2] <= 1.0);
-}
-
-// Red when the two gradients and the start are not made by one reciprocal: `Gradients`.
-#[test]
-fn row_8_planes_from_the_screens_corner_cancel_on_needles() {
-    let worst = interpolated(Kind::Needle, 20_000, plane::from_the_corner);
-    print(8, "f32 from the corner", worst);
-    // Terms of 65 280 codes a pixel over 100 px and more have steps of 2^-1 and more in 24 bits.
-    assert!(worst[0] > 0.5);
-    assert!(worst[2] <= 1.0);
-}
-
-// Red when the area's reciprocal is not normalised: `recip::area`.
-#[test]
-fn row_8_a_reciprocal_of_32_bits_has_none_left_on_large_triangles() {
-    let worst = interpolated(Kind::FullScreen, 500, plane::reciprocal_of_32_bits);
-    print(8, "2^32 / area", worst);
-    // An area of 300 x 200 px is 2^32 in 1/65536 px²: the reciprocal is 1 or 0, and up to all of a value is lost.
-    assert!(worst[0] > 60.0);
-    assert!(worst[2] <= 1.0);
-}
-
-/// T-junctions by vertices rounded to `bits` sub-pixel bits: pixels of the edges that are hit twice or not at all, those
-/// that the needle in the gap covers, and those where the library is not exact.
-pub(crate) fn t_junctions(bits: u32) -> [u64; 3] {
-    const VIEW: Viewport = Viewport { width: 200, height: 200 };
-    let counts = [const { Cell::new(0) }; 3];
-    let ends = [[20.0..40.0, 80.0..120.0], [150.0..180.0, 80.0..120.0]];
-    check(200, &(ends, 0.2..0.8), |(ends, part)| {
-        let (three, needle) = triangles::t_junction(ends, part, bits);
-        let exact = coverage_counts(&three, VIEW);
-        let ours = sent(&three, Size::new(200, 200));
-        // Outside of the outline, which the needle completes, no pixel counts.
-        let [[p, q, over], [_, under, _], _] = three;
-        let outline = winding_of(&[[p, under], [under, q], [q, over], [over, p]], 200, 200);
-        let torn = ours.iter().zip(&outline).filter(|&(&hits, &once)| once != 0 && hits != 1).count() as u64;
-        let gap = coverage_counts(&[needle], VIEW).iter().map(|&hits| u64::from(hits)).sum::<u64>();
-        let inexact = ours.iter().zip(&exact).filter(|(a, b)| a != b).count() as u64;
-        for (count, more) in counts.iter().zip([torn, gap, inexact]) {
-            count.set(count.get() + more);
+/// Needles across a panel, as thin as lets a centre lie on them: 256 k steps² for k centres.
+pub(crate) fn needles() -> Worst {
+    let worst = Worst::new();
+    let codes = [0..=255_i32, 0..=95, 160..=255];
+    let cases = ([0..20_i32, 0..20_i32], [3..40_i32, 3..40_i32], codes, any::<bool>());
+    check(6_000, &cases, |(from, [p, q], codes, mirrored)| {
+        let times = (280 / p).min(200 / q);
+        if common_divisor(p, q) != 1 {
+            return Ok(());
         }
-        if inexact == 0 && torn <= gap { Ok(()) } else { Err(format!("{torn} px torn, {gap} in the gap")) }
+        // Beside the end by (u, v) with p v - q u = -1, or 1 where it is mirrored: to the right of the line, so that
+        // its centres count.
+        let p = if mirrored { -p } else { p };
+        let from = if mirrored { [from[0] + 290, from[1]] } else { from };
+        let Some(v) = (0..q).find(|v| (p * v + 1).rem_euclid(q) == 0) else {
+            return Err("no such point".into());
+        };
+        worst.add(triangles::needle(from, [p * times, q * times], [(p * v + 1) / q, v]), codes)
     });
-    counts.map(|count| count.get())
+    worst
 }
 
-// A T-junction is an error of the mesh. Red when more is torn than what lies between the two edges as they were given.
+// Red as above, and when both gradients do not share one reciprocal of the area: `Gradients::quotient`.
 #[test]
-fn row_9_a_t_junction_tears_and_less_with_more_sub_pixel_bits() {
-    let ([whole, gap_of_whole, _], [ours, gap, inexact]) = (t_junctions(0), t_junctions(8));
+fn row_8_a_plane_from_the_corner_cancels_on_a_needle() {
+    let worst = needles();
     println!(
-        "row 9, whole pixels: {} px torn of 200 T-junctions ({} in the gap); topleft {ours} ({gap} in the gap), {inexact} not exact",
-        grouped(whole),
-        grouped(gap_of_whole)
+        "row 8, gradients that saturate: up to {:.0} codes wrong on needles; f32 from the corner: {:.0}; topleft {:.5}, {:.2} of its bound, {} px",
+        worst.saturated.get(),
+        worst.from_the_corner.get(),
+        worst.ours.get(),
+        worst.of_bound.get(),
+        grouped(worst.pixels.get())
     );
-    assert!(whole > 200 && whole > 32 * ours.max(1));
-    assert!(ours <= gap);
-    assert_eq!(inexact, 0);
+    // Both gradients are 256 * 65 * 3 or more, with 255 * 40 / 5 or less beside, and do not fit; what is left of them
+    // is 32 768 |p - q| a centre, and p is not q.
+    assert!(worst.least_saturated.get() > 32_768.0 - 2.0 * 256.0);
+    // 256 * 160 * 39 a column, 100 columns from the corner, is more than 2^27 codes: there an f32 has steps of 16, and
+    // half a step is 8.
+    assert!(worst.from_the_corner.get() > 8.0);
+    assert!(worst.of_bound.get() <= 1.0);
+}
+
+/// Vertices on an edge of which only one side has them: pixels missing or doubled with corners on whole pixels and on
+/// 1/256 px, where what is drawn differs from exact coverage, and the most wrong pixels of an edge.
+pub(crate) fn t_junctions() -> ([Tally; 2], Tally) {
+    const VIEW: Viewport = Viewport { width: 240, height: 240 };
+    let (torn, ours) = ([Tally::default(), Tally::default()], Tally::default());
+    let cases = ([10.0..40.0, 100.0..140.0], [100.0..190.0, -40.0..40.0], 0.4..0.6);
+    check(1_000, &cases, |([x, y], [along, down], part)| {
+        for (bits, torn) in [0, 8].into_iter().zip(&torn) {
+            let (three, needle) = triangles::t_junction([[x, y], [x + along, y + down]], part, bits);
+            let [p, q, over] = three[0];
+            let outline = winding_of(&[[p, three[1][1]], [three[1][1], q], [q, over], [over, p]], 240, 240);
+            let grids = hits::<Spans>(three, 240, 240);
+            if ours.add(&unsigned(&grids.all), &coverage_counts(&three, VIEW)) != 0 {
+                return Err("what is drawn is not what is covered".into());
+            }
+            let wrong = torn.add(&unsigned(&grids.all), &unsigned(&outline));
+            // With the needle that lies between them the mesh is closed: no other pixel is wrong.
+            let between = winding_numbers(&[needle], VIEW);
+            if grids
+                .all
+                .iter()
+                .zip(&between)
+                .zip(&outline)
+                .any(|((hits, needle), right)| hits + needle != *right)
+            {
+                return Err("a pixel is wrong that is not on the needle".into());
+            }
+            // It is thinner than a pixel: a centre a column.
+            let columns = u64::from(p[0].abs_diff(q[0]) / 256 + 1);
+            let thin = (0..240).all(|x| (0..240).filter(|y| between[y * 240 + x] != 0).count() <= 1);
+            if bits == 8 && (wrong > columns || !thin) {
+                return Err(format!("{wrong} px are wrong on an edge of {columns}"));
+            }
+        }
+        Ok(())
+    });
+    (torn, ours)
+}
+
+// Red when coverage is not exact at the snapped vertices: `first_centre`. The cracks are in the mesh, and stay.
+#[test]
+fn row_9_a_vertex_on_the_edge_of_a_neighbour_cracks_it() {
+    let ([whole, fine], ours) = t_junctions();
+    println!(
+        "row 9, T-junctions on whole pixels: {} px missing and {} double of 1 000 edges; on 1/256 px {} and {}; topleft {} px from exact coverage",
+        grouped(whole.missing()),
+        grouped(whole.extra()),
+        grouped(fine.missing()),
+        grouped(fine.extra()),
+        ours.wrong()
+    );
+    // The vertex is rounded off the edge by 0.23 px on average or more (the least over all directions of the mean of
+    // |x cos + y sin| with x and y in ±1/2), so the needle has 100 * 0.23 / 2 = 11 px² or more. Half of them for chance.
+    assert!(whole.wrong() > 1_000 * 11 / 2);
+    // 256 times fewer on the finer lattice, and again twice for chance; but they do not go away.
+    assert!(fine.wrong() > 0 && fine.wrong() * 128 < whole.wrong());
+    assert_eq!(ours.wrong(), 0);
 }

@@ -40,7 +40,7 @@ pub(super) fn waves() -> PackedTexture {
     make(|x, y| {
         let bent = y + hill(x, 32) / 2 + hill(x + 8, 16) / 2 + SIZE;
         let crest = (bent + hill(x + 20, 64) / 4) % 16;
-        let whole = noise(x / 8, y / 16) % 3 != 0;
+        let whole = !noise(x / 8, y / 16).is_multiple_of(3);
         let grain = noise(x, y) % 8;
         let depth = crest * 3 + hill(y, 64) / 2;
         match (crest, whole) {
