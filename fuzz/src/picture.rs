@@ -144,6 +144,9 @@ impl Picture<'_> {
             (result, list.stats())
         };
         let outcomes = self.items.iter().map(draw).collect();
+        if list.words() > self.storage[0] {
+            return Err(format!("{} words in use of {}", list.words(), self.storage[0]));
+        }
         let strips = |rows: Range<i32>, height| rendered(&list, self.columns, rows, height, P::BLACK);
         let frame = strips(self.rows.clone(), self.rows.len());
         strips(self.rows.clone(), self.height).same("strips", &frame)?;
