@@ -60,16 +60,16 @@
 //!
 //! 1. **Watertight.** At the snapped, clipped vertices coverage is the exact answer, and a pixel centre on a shared edge
 //!    belongs to exactly one triangle: no cracks and no double hits, whatever the triangles, the strips or the traversal.
-//!    (`tests/coverage`)
+//!    (`tests/coverage`, `tests/stability`)
 //! 2. **The same everywhere.** The same scene gives the same bytes, whole frame or in strips, whichever vertex a
 //!    triangle starts with, and whichever chip draws it. (`tests/same_bytes.rs`, `firmware/bench/tests/same_everywhere.rs`)
 //! 3. **A stated error.** A value with 16 fraction bits, n columns and m rows from its triangle's first vertex, is off by
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
 //!    [`PerPixel`] by at most `U 2^-13`, with U the power of two of texels that holds the triangle's, up to a ratio of w
 //!    of 64 and within 500 pixels of that vertex; a depth by `(n + m + 2) 2^-17 + 2^-11` codes.
-//!    (`tests/against_reference`)
+//!    (`tests/against_reference`, `tests/stability`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
-//!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`,
+//!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
 //!    `tools/link-check`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
 //!    without them has no buffer, no cycle and no code for them. (`firmware/measure.sh`)
@@ -86,15 +86,15 @@
 //! | 3 | accuracy: depth, triangles over 256 px, perspective, beyond its code | 0.001558 | 0.003534 | code |
 //! | 3 | accuracy: texels, full-screen triangles, per pixel w 1:64, of 256 | 0.008350 | 0.03007 | texel |
 //! | 3 | accuracy: light, random suns, vertex, lit colour | 0.5272 | 0.5701 | code of 255 |
-//! | 5 | rp2040: grid240, flat, 3, 240 | 28.1 | | cycles_per_pixel |
-//! | 5 | rp2040: grid240, perspective-pixel+depth, 3, 240 | 262.1 | | cycles_per_pixel |
+//! | 5 | rp2040: grid240, flat, 3, 240 | 25.9 | | cycles_per_pixel |
+//! | 5 | rp2040: grid240, perspective-pixel+depth, 3, 240 | 235.4 | | cycles_per_pixel |
 //!
 //! # Conventions
 //!
 //! * Scenes are right-handed with y up, and a camera looks along its own -z. Lengths are in the scene's own unit.
 //! * Clip space has x and y in [-w, w], and z from 0 at the near plane to w at the far one.
 //! * Screen x grows to the right and y down, and pixel centres lie at .5. Vertices are snapped to 1/256 px, rounded to
-//!   nearest, before anything else is computed from them.
+//!   nearest, halves up, before anything else is computed from them.
 //! * A pixel is covered where its centre is inside a triangle, or on a top or left edge of it.
 //! * Front faces are counter-clockwise as the viewer sees them, as in OBJ files.
 //! * Depth is a `u16`, linear on the screen: 0 is cleared, greater is nearer, and of two that are equal the earlier stays.
