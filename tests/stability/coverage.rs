@@ -45,7 +45,7 @@ pub(crate) fn sent(triangles: &[Triangle], size: Size) -> Vec<u32> {
     display.writes
 }
 
-fn common_divisor(a: i32, b: i32) -> i32 {
+pub(crate) fn common_divisor(a: i32, b: i32) -> i32 {
     if b == 0 { a } else { common_divisor(b, a % b) }
 }
 

@@ -12,6 +12,7 @@ use reference::varying::{barycentrics, linear};
 use topleft::stages::{Setup, Snapped, Span, Varying, Window};
 use topleft::{Attribute, BoxWalk, Spans};
 
+use crate::coverage::common_divisor;
 use crate::coverage::sent;
 use crate::figure::{Tally, grouped, unsigned};
 use crate::support::tolerance::interpolation;
@@ -19,10 +20,6 @@ use crate::support::winding::{hits, setup, winding_of};
 use crate::support::{check, exact};
 
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-
-fn common_divisor(a: i32, b: i32) -> i32 {
-    if b == 0 { a } else { common_divisor(b, a % b) }
-}
 
 /// Points on a line through centres of pixels, or one point three times: what one-sign tests draw of them, at how many
 /// centres barycentrics have no value, and what `topleft` does.
