@@ -12,8 +12,7 @@ use reference::varying::{barycentrics, linear};
 use topleft::stages::{Setup, Snapped, Span, Varying, Window};
 use topleft::{Attribute, BoxWalk, Spans};
 
-use crate::coverage::common_divisor;
-use crate::coverage::sent;
+use crate::coverage::{common_divisor, sent};
 use crate::figure::{Tally, grouped, unsigned};
 use crate::support::tolerance::interpolation;
 use crate::support::winding::{hits, setup, winding_of};
