@@ -1,6 +1,6 @@
 //! Interpolation by plane equations that lose what a sliver's gradients need.
 //!
-//! Each has the form of [`linear`](crate::varying::linear), of which it is an approximation.
+//! Each has the form of [`linear`], of which it is an approximation.
 
 use crate::setup::{Triangle, area2};
 use crate::varying::linear;
