@@ -6,9 +6,6 @@ mod grid240;
 mod grid240_tilted;
 mod icosphere;
 mod icosphere_fine;
-mod island_land;
-mod island_sea;
-mod island_tower;
 mod teapot;
 mod torus_knot;
 
@@ -18,8 +15,5 @@ pub use grid240::GRID240;
 pub use grid240_tilted::GRID240_TILTED;
 pub use icosphere::ICOSPHERE;
 pub use icosphere_fine::ICOSPHERE_FINE;
-pub use island_land::ISLAND_LAND;
-pub use island_sea::ISLAND_SEA;
-pub use island_tower::ISLAND_TOWER;
 pub use teapot::TEAPOT;
 pub use torus_knot::TORUS_KNOT;

@@ -4,7 +4,6 @@ mod cube;
 mod floor;
 mod grid;
 mod icosphere;
-mod island;
 mod surface;
 mod teapot;
 mod texture;
@@ -69,19 +68,6 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             "A sphere of radius 1, an icosahedron split three times.",
             icosphere::make(3),
         ),
-        mesh(
-            "island_land",
-            "ISLAND_LAND",
-            "An island of radius 0.9, 1014 small triangles in the colours of their height; the sea is at y = 0.",
-            island::land(),
-        ),
-        mesh(
-            "island_sea",
-            "ISLAND_SEA",
-            "The sea round the island: a level ring out to a radius of 1, and the edge of the board that it lies on.",
-            island::sea(),
-        ),
-        mesh("island_tower", "ISLAND_TOWER", "A watchtower on one of the island's hills.", island::tower()),
         mesh(
             "teapot",
             "TEAPOT",
