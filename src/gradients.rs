@@ -32,7 +32,9 @@ pub struct Gradients {
     /// `1 / |area2| = reciprocal * 2^-(shift + 8)`.
     reciprocal: u32,
     shift: u32,
+    /// Half of the last place that is kept, in the product's two words or in the one below.
     half: u64,
+    /// No two vertices are 32 px or more apart on an axis.
     small: bool,
     /// The pixel that holds the first vertex.
     anchor: [i32; 2],
@@ -149,7 +151,7 @@ mod tests {
     use super::*;
     use crate::setup::Setup;
 
-    // Red when triangles of 64 px or more count as small, or a half of a difference is taken with another sign.
+    // Red when a half of a difference is taken with another sign, or `small` allows places that overflow 32 bits here.
     #[test]
     fn small_determinants_are_the_same() {
         let differences = [0, 1, -1, 0xFFFF, -0xFFFF, 0x1_0000, -0x1_0000, 0xFFFF_FFFF, -0xFFFF_FFFF];

@@ -110,7 +110,7 @@ pub(crate) fn area(area2: u64) -> (u32, i32) {
         if rounded >> 32 == 0 { (rounded as u32, shift) } else { (1 << 31, shift - 1) }
     };
     let first = newton(normalised);
-    // The second Newton step as a correction: what is missing from x r = 2^62, times r. It is below 2^35, and not negative.
+    // The second Newton step as a correction: what is missing from x r = 2^62, times r. It is below 2^36, and not negative.
     let missing = (1 << 62) - product::unsigned(normalised, first);
     let correction = product::unsigned((missing >> 8) as u32, first) >> 54;
     (first + correction as u32, shift)
