@@ -23,7 +23,7 @@ use crate::tolerance::{self, DEPTH_VERTEX, TURNED_CENTRE, half, interpolation, p
 pub(crate) struct Patch {
     pub(crate) triangle: Triangle,
     pub(crate) clipped: bool,
-    pub(crate) w: [f64; 3],
+    w: [f64; 3],
     depth: [f64; 3],
     /// Light, u and v.
     pub(crate) varyings: [[f64; 3]; 3],
