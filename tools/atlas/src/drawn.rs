@@ -8,10 +8,11 @@ use reference::naive::screen_clip::Valued;
 use reference::setup::Triangle;
 use reference::shade::to_rgb565;
 use scenes::{Scene, View};
-use topleft::stages::{Gradients, Setup, Snapped, Span, Traversal, Varying, Window};
+use topleft::stages::{Gradients, Setup, Snapped, Span, Traversal, Window};
 use topleft::{Attribute, Coord, Depth16, DrawList, ListTriangle, Point, ShadedTriangle, Spans, Strip};
 
 use crate::canvas::Colour;
+use crate::planes;
 use crate::strip::Picture;
 
 /// Behind what is drawn without a scene.
@@ -122,14 +123,8 @@ pub(crate) fn values(
     window: &Window,
     mut each: impl FnMut(i32, i32, f64),
 ) {
-    spans(triangle, window, |span, gradients, order| {
-        let plane = Attribute::plane(gradients, order.map(|i| Attribute::from_num(values[i])));
-        let [ax, ay] = gradients.anchor();
-        let mut value = plane.at(span.start - ax, span.y - ay);
-        for x in span.start..span.end {
-            each(x, span.y, value.to_num());
-            value = value.plus(plane.dx);
-        }
+    planes::values(triangle, values.map(Attribute::from_num), window, |x, y, value: Attribute| {
+        each(x, y, value.to_num());
     });
 }
 

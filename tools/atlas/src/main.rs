@@ -14,6 +14,8 @@ mod probe;
 #[path = "../../../tests/against_reference/random.rs"]
 #[allow(dead_code, reason = "the tests have use for all of it")]
 mod random;
+#[path = "../../../tests/stability/planes.rs"]
+mod planes;
 #[path = "../../../tests/support/tolerance.rs"]
 #[allow(dead_code, reason = "the tests have use for all of it")]
 mod tolerance;
