@@ -27,6 +27,9 @@ pub trait Depth {
     fn varying(vertex: Self::Vertex) -> Self::Varying;
 
     #[doc(hidden)]
+    fn reborrow<'p>(plane: &'p mut Self::Plane<'_>) -> Self::Plane<'p>;
+
+    #[doc(hidden)]
     fn clear(plane: &mut Self::Plane<'_>);
 
     /// Calls `visible` with each run of the cells in `span` that the plane starting at `start` is nearer than.
@@ -59,6 +62,9 @@ impl Depth for NoDepth {
     #[inline]
     fn varying((): ()) {}
 
+    #[inline]
+    fn reborrow((): &mut ()) {}
+
     fn clear((): &mut ()) {}
 
     #[inline(always)]
@@ -86,6 +92,11 @@ impl Depth for Depth16 {
     #[inline]
     fn varying(vertex: DepthVertex) -> DepthCode {
         vertex.0
+    }
+
+    #[inline]
+    fn reborrow<'p>(plane: &'p mut &mut [u16]) -> &'p mut [u16] {
+        plane
     }
 
     fn clear(plane: &mut &mut [u16]) {

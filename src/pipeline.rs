@@ -35,7 +35,7 @@ pub(crate) trait Surface<P, Z> {
     type Error;
 
     /// The pixels that may be drawn.
-    fn window(&self) -> Window;
+    fn window(&self) -> &Window;
 
     /// Draws the visible runs of a span.
     fn span<'a, S: PixelShader<'a, P>>(
@@ -50,9 +50,9 @@ pub(crate) trait Surface<P, Z> {
 #[inline]
 pub(crate) fn draw<'a, P, S, T, Z, Target>(
     setup: &Setup,
-    shader: &S,
+    shader: S,
     vertices: Vertices<Z, S::Vertex>,
-    target: &mut Target,
+    mut target: Target,
 ) -> Result<(), Target::Error>
 where
     S: PixelShader<'a, P>,
@@ -65,11 +65,13 @@ where
     let gradients = setup.gradients();
     let depth: Plane<Z> = Z::plane(&gradients, vertices.depths);
     let varying: Plane<S::Varying> = Varying::plane(&gradients, varyings);
-    let [x, y] = gradients.anchor();
-    T::walk(setup, &target.window(), |span| {
-        let at = (span.start - x, span.y - y);
-        let shading =
-            Shading { shader, triangle: &triangle, start: varying.at(at.0, at.1), step: &varying.dx };
-        target.span(span, (depth.at(at.0, at.1), depth.dx), shading)
+    let [x, y] = setup.anchor();
+    let (depth, varying) = (depth.from_anchor(x, y), varying.from_anchor(x, y));
+    let window = target.window().clone();
+    // All of it moves into what is called for each row, so that nothing is further than one pointer away.
+    T::walk(setup, &window, move |span| {
+        let start = varying.at(span.start, span.y);
+        let shading = Shading { shader: &shader, triangle: &triangle, start, step: &varying.dx };
+        target.span(span, (depth.at(span.start, span.y), depth.dx), shading)
     })
 }

@@ -107,6 +107,13 @@ impl Setup {
         first_centre(top.y.to_bits())..first_centre(bottom.y.to_bits())
     }
 
+    /// The column and row of the pixel that planes start from: the one that holds the first vertex.
+    #[inline]
+    pub const fn anchor(&self) -> [i32; 2] {
+        let [first, ..] = self.points;
+        [first.x.to_bits() >> SUBPIXEL_BITS, first.y.to_bits() >> SUBPIXEL_BITS]
+    }
+
     /// What turns values at the vertices into planes.
     #[inline]
     pub fn gradients(&self) -> Gradients {

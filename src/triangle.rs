@@ -125,11 +125,7 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
         let at = vertex.position;
         (snap(vertex).order(), at.x, at.y)
     });
-    let mut display = Display {
-        origin: area.top_left,
-        window: Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() },
-        target,
-    };
+    let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
     let mut fan = polygon.iter();
     let (Some(first), Some(mut middle)) = (fan.next(), fan.next()) else { return Ok(()) };
     for last in fan {
@@ -142,7 +138,8 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
                 attributes: order.map(|vertex| vertex.attributes),
                 colour,
             };
-            pipeline::draw::<C, S, Spans, (), _>(&setup, shader, vertices, &mut display)?;
+            let display = Display { origin: area.top_left, window: window.clone(), target: &mut *target };
+            pipeline::draw::<C, S, Spans, (), _>(&setup, *shader, vertices, display)?;
         }
         middle = last;
     }

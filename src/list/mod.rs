@@ -42,7 +42,7 @@ impl ListTriangle {
 }
 
 /// Draws one triangle, with the vertices of its shader: one such function is linked for each shader that is used.
-type DrawFn<'a, P, D> = fn(&Uniforms<'a>, &[u32], &ListTriangle, &mut Rows<'_, '_, P, D>);
+type DrawFn<'a, P, D> = fn(&Uniforms<'a>, &[u32], &ListTriangle, &mut Rows<'_, P, D>);
 
 /// A pixel shader as the list keeps it, the function that draws with it, and the first word of its vertices.
 #[derive(Clone, Copy, Debug)]

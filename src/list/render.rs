@@ -8,8 +8,8 @@ use embedded_graphics_core::prelude::PixelColor;
 use super::{DrawList, ListTriangle};
 use crate::attributes::Words;
 use crate::depth::Depth;
-use crate::pipeline::{self, Vertices};
-use crate::raster::{Traversal, Window};
+use crate::pipeline::{self, Surface, Vertices};
+use crate::raster::Traversal;
 use crate::setup::Setup;
 use crate::shade::{PixelShader, Uniforms};
 use crate::snapped::Snapped;
@@ -22,11 +22,9 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
     /// What the strip shows stays where no triangle is: clear it first. Triangles are drawn in the order they were
     /// given. Nothing is changed in the list, so several cores may render from it at once.
     pub fn render(&self, rows: Range<i32>, strip: &mut Strip<'_, P, D>) {
-        strip.set_top(rows.start);
         let [width, height] = self.size;
-        let rows = strip.rows(rows.start.max(0)..rows.end.min(height));
-        let window = Window { columns: 0..width.min(i32::from(strip.width())), rows: rows.clone() };
-        let mut target = Rows { strip, window };
+        let mut target = strip.rows(rows.start, rows.start.max(0)..rows.end.min(height), 0..width);
+        let rows = target.window().rows.clone();
         for triangle in self.triangles.get(..self.used_triangles).unwrap_or_default() {
             let [first, end] = triangle.rows.map(i32::from);
             if first < rows.end && rows.start < end {
@@ -74,7 +72,7 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
     uniforms: &Uniforms<'a>,
     words: &[u32],
     triangle: &ListTriangle,
-    target: &mut Rows<'_, '_, P, D>,
+    target: &mut Rows<'_, P, D>,
 ) {
     let [a, b, c] = triangle.vertices.map(|at| vertex::<P, D, S>(words, at));
     let (Some(a), Some(b), Some(c)) = (a, b, c) else { return };
@@ -86,7 +84,7 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
         colour: triangle.colour,
     };
     let shader = S::from_uniforms(uniforms);
-    let Ok(()) = pipeline::draw::<P, S, T, D::Varying, _>(&setup, &shader, vertices, target);
+    let Ok(()) = pipeline::draw::<P, S, T, D::Varying, _>(&setup, shader, vertices, target.reborrow());
 }
 
 /// A vertex of the list, as its words say.

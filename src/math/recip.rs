@@ -77,6 +77,17 @@ impl Pixel {
     }
 }
 
+/// `2^47 / (height << shift)` in [2^15, 2^16], for a height from 1 to 2^13 - 1, or 0, which counts as less than one.
+#[inline(always)]
+pub(crate) fn short(height: u32) -> (u32, u32) {
+    // Most heights are of some pixels: few steps.
+    let mut shift = 19;
+    while height << shift >> 31 == 0 && shift < 31 {
+        shift += 1;
+    }
+    (seed(height << shift), shift)
+}
+
 /// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
 #[inline]
 pub(crate) fn vertex(w: u32) -> Reciprocal {

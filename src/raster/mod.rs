@@ -13,6 +13,7 @@ use core::ops::Range;
 use crate::setup::Setup;
 
 mod box_walk;
+mod edge;
 mod spans;
 
 pub use box_walk::BoxWalk;

@@ -24,8 +24,8 @@ where
 {
     type Error = T::Error;
 
-    fn window(&self) -> Window {
-        self.window.clone()
+    fn window(&self) -> &Window {
+        &self.window
     }
 
     fn span<'a, S: PixelShader<'a, P>>(

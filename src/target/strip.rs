@@ -34,8 +34,6 @@ pub struct Strip<'s, P, D: Depth> {
     depths: D::Plane<'s>,
     width: u16,
     height: u16,
-    /// The row of the frame that the strip's first row shows.
-    top: i32,
     background: P,
 }
 
@@ -72,7 +70,7 @@ impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
         if height == 0 && width != 0 {
             return Err(StripError::Short { given: colours.len(), needed: row });
         }
-        Ok(Self { colours, depths: (), width, height, top: 0, background: P::from_channels([0; 3]) })
+        Ok(Self { colours, depths: (), width, height, background: P::from_channels([0; 3]) })
     }
 
     /// The same strip with a depth for each pixel.
@@ -80,12 +78,12 @@ impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
     /// # Errors
     /// Fewer depths than pixels.
     pub fn with_depth(self, depths: &'s mut [u16]) -> Result<Strip<'s, P, Depth16>, StripError> {
-        let Self { colours, width, height, top, background, .. } = self;
+        let Self { colours, width, height, background, .. } = self;
         let needed = usize::from(width) * usize::from(height);
         if depths.len() < needed {
             return Err(StripError::Short { given: depths.len(), needed });
         }
-        Ok(Strip { colours, depths, width, height, top, background })
+        Ok(Strip { colours, depths, width, height, background })
     }
 }
 
@@ -118,29 +116,47 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
         D::clear(&mut self.depths);
     }
 
-    /// Moves the strip: its first row shows row `top` of the frame from now on.
-    pub(crate) const fn set_top(&mut self, top: i32) {
-        self.top = top;
-    }
-
-    /// The strip's part of some rows of the frame.
-    pub(crate) fn rows(&self, rows: Range<i32>) -> Range<i32> {
-        rows.start.max(self.top)..rows.end.min(self.top.saturating_add(i32::from(self.height)))
+    /// The strip's part of some rows and columns of the frame. Its first row shows row `top` of the frame.
+    pub(crate) fn rows(&mut self, top: i32, rows: Range<i32>, columns: Range<i32>) -> Rows<'_, P, D> {
+        let (width, height) = (i32::from(self.width), i32::from(self.height));
+        Rows {
+            colours: self.colours,
+            depths: D::reborrow(&mut self.depths),
+            width,
+            origin: top.wrapping_mul(width).wrapping_neg(),
+            window: Window {
+                columns: columns.start.max(0)..columns.end.min(width),
+                rows: rows.start.max(top)..rows.end.min(top.saturating_add(height)),
+            },
+        }
     }
 }
 
 /// A strip while some of its rows are drawn to.
-pub(crate) struct Rows<'r, 's, P, D: Depth> {
-    pub(crate) strip: &'r mut Strip<'s, P, D>,
-    pub(crate) window: Window,
+pub(crate) struct Rows<'r, P, D: Depth> {
+    colours: &'r mut [P],
+    depths: D::Plane<'r>,
+    width: i32,
+    /// The cell of column 0 and row 0 of the frame, which may lie before the strip.
+    origin: i32,
+    window: Window,
 }
 
-impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, '_, P, D> {
+impl<P, D: Depth> Rows<'_, P, D> {
+    /// The same for one triangle.
+    #[inline]
+    pub(crate) fn reborrow(&mut self) -> Rows<'_, P, D> {
+        let Self { colours, depths, width, origin, window } = self;
+        Rows { colours, depths: D::reborrow(depths), width: *width, origin: *origin, window: window.clone() }
+    }
+}
+
+impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, P, D> {
     type Error = Infallible;
 
     #[inline]
-    fn window(&self) -> Window {
-        self.window.clone()
+    fn window(&self) -> &Window {
+        &self.window
     }
 
     #[inline]
@@ -150,12 +166,11 @@ impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, '_, P, D> {
         depth: (D::Varying, D::Varying),
         shading: Shading<'_, S, S::Triangle, S::Varying>,
     ) -> Result<(), Infallible> {
-        let Strip { colours, depths, width, top, .. } = &mut *self.strip;
-        // The window lies inside the strip: rows and columns are at least zero here.
-        let row = (span.y - *top) as usize * usize::from(*width);
-        let first = row + span.start as usize;
-        let length = (span.end - span.start) as usize;
-        D::runs(depths, first..first + length, depth.0, depth.1, |run| {
+        let Self { colours, depths, width, origin, .. } = self;
+        // The window lies inside the strip: cells are at least zero here.
+        let row = span.y.wrapping_mul(*width).wrapping_add(*origin);
+        let (first, end) = ((row + span.start) as usize, (row + span.end) as usize);
+        D::runs(depths, first..end, depth.0, depth.1, |run| {
             let start = match run.start - first {
                 0 => shading.start,
                 steps => shading.start.plus(shading.step.times(steps as i32)),

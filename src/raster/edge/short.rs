@@ -1,0 +1,89 @@
+//! The edges of small triangles: one addition a row.
+
+use core::ops::Range;
+
+use super::Edge;
+use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS};
+use crate::math::recip;
+use crate::setup::Setup;
+use crate::snapped::{Snapped, first_centre};
+
+/// An edge less than 32 px high and wide in fixed point, which is exact all the same.
+///
+/// With h the edge's height in steps of 1/256 px, it passes the rows of pixel centres at `(256 k + c) / (256 h)` columns
+/// from a centre, for whole k, and with the same c from 0 to 255 in all rows. Moved to the right by
+/// `(128 - c) / (256 h)`, or by -1/(2 h) where c is 0, it keeps at least 1/(2 h) from all centres, and passes left of
+/// the same ones: h < 2^13, so that is more than 64 steps of 2^-20. All that is rounded is less: the slope by at most
+/// 1.1 steps, and that up to 32 times; 0.3 for what is missing of its reciprocal, over the whole edge; 3 for the first
+/// row and for the move.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::raster) struct ShortEdge {
+    /// Where the edge passes, moved, from one column left of the centres of column 0.
+    place: i32,
+    slope: i32,
+}
+
+const FRACTION_BITS: u32 = 20;
+/// Less than 32 px: 13 bits.
+const LARGEST: i32 = (32 << SUBPIXEL_BITS) - 1;
+/// The slope of a lower edge may not fit.
+const LOWEST: i32 = 4;
+/// Columns that have room.
+const COLUMNS: i32 = 2047;
+
+impl ShortEdge {
+    /// Whether a triangle's edges can be walked like this: it is small, and no column of it is outside of the window.
+    #[inline]
+    pub(in crate::raster) fn suits(setup: &Setup, columns: &Range<i32>) -> bool {
+        let [(ax, ay), (bx, by), (cx, cy)] = setup.points().map(Snapped::bits);
+        let (left, right) = (columns.start << SUBPIXEL_BITS, columns.end << SUBPIXEL_BITS);
+        // Sign bits: one test for many.
+        let beyond = (ax - left) | (bx - left) | (cx - left) | (right - ax) | (right - bx) | (right - cx);
+        let apart = |a: i32, b: i32| (LARGEST - (a - b)) | (LARGEST + (a - b));
+        let large = (LARGEST - (cy - ay)) | apart(ax, bx) | apart(bx, cx) | apart(cx, ax);
+        let fits = |upper: i32, lower: i32| lower - upper >= LOWEST || first_centre(upper) == first_centre(lower);
+        beyond | large >= 0
+            && columns.start >= -COLUMNS
+            && columns.end <= COLUMNS
+            && fits(ay, by)
+            && fits(by, cy)
+    }
+}
+
+impl Edge for ShortEdge {
+    const INSIDE: bool = true;
+
+    #[inline]
+    fn new(upper: Snapped, lower: Snapped, row: i32) -> Self {
+        let ((x, y), (lower_x, lower_y)) = (upper.bits(), lower.bits());
+        let (dx, height) = (lower_x - x, lower_y - y);
+        // 2^47 / (height << shift), up to 2^-13.4 of it too great; 19 <= shift <= 29.
+        let (reciprocal, shift) = recip::short(height.unsigned_abs());
+        let reciprocal = reciprocal.cast_signed();
+        // dx 2^20 / height, and what is missing from it: the products wrap, and what is missing has 20 bits.
+        let estimate = ((dx * reciprocal) << 2) >> (29 - shift);
+        let missing = (dx << FRACTION_BITS).wrapping_sub(estimate.wrapping_mul(height));
+        let slope = estimate.wrapping_add(((missing >> 6) * reciprocal) >> (41 - shift));
+        let first = first_centre(y);
+        // From the upper end down to the first row of centres: 0 to 255 steps.
+        let down = (first << SUBPIXEL_BITS) + HALF_PIXEL - y;
+        let right = x - HALF_PIXEL;
+        // 128 - c, and -128 where c is 0.
+        let middle = 127 - ((right.wrapping_mul(height) + down * dx - 1) & 255);
+        let place = ((right + 256) << (FRACTION_BITS - SUBPIXEL_BITS))
+            + down * (slope >> SUBPIXEL_BITS)
+            + ((down * (slope & 255)) >> SUBPIXEL_BITS)
+            + ((middle * reciprocal) >> (35 - shift));
+        Self { place: place.wrapping_add((row - first).wrapping_mul(slope)), slope }
+    }
+
+    #[inline(always)]
+    fn column(&self) -> i32 {
+        self.place >> FRACTION_BITS
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        self.place = self.place.wrapping_add(self.slope);
+    }
+}
