@@ -57,7 +57,8 @@ macro_rules! scalar {
             #[inline]
             fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self> {
                 let Plane { start, dx, dy } = gradients.plane(at_vertices.map(|value| i64::from(value.to_bits())));
-                Plane { start: Self::from_bits(start as _), dx: Self::from_bits(dx as _), dy: Self::from_bits(dy as _) }
+                let [start, dx, dy] = [start, dx, dy].map(|bits| Self::from_bits(bits as _));
+                Plane { start, dx, dy }
             }
 
             #[inline(always)]

@@ -127,6 +127,19 @@ pub(crate) fn area(area2: u64) -> (u32, i32) {
     (first + correction as u32, shift)
 }
 
+/// `2^62 / (a << shift)` of an area below 2^32, and at most 2^-26 of it too small. A zero counts as one.
+#[inline]
+pub(crate) fn small_area(area2: u32) -> (u32, i32) {
+    let area2 = area2.max(1);
+    let shift = area2.leading_zeros();
+    let normalised = area2 << shift;
+    let seed = seed(normalised);
+    // A Newton step as a correction: what is missing from x r = 2^47, at most 2^33.7 of it, times r. In 2^19 each.
+    let missing = ((1 << 47) - product::with_short(normalised, seed).cast_signed()) >> 19;
+    let correction = (seed.cast_signed() * missing as i32) >> 13;
+    ((seed << 15).wrapping_add_signed(correction), shift as i32)
+}
+
 /// A vector scaled to length 1, in 30 fraction bits, within ±2^-28. The zero vector stays.
 pub(crate) fn normalise(vector: [i32; 3]) -> [i32; 3] {
     let largest = vector.iter().fold(0, |most, c| most.max(c.unsigned_abs()));
