@@ -1,4 +1,4 @@
-//! Stage 6. Cuts a span into its visible runs, before any pixel is shaded.
+//! Stage 6. Which pixels of a span are visible, before any of them is shaded.
 //!
 //! A depth code is a `u16`: 0 is cleared and beyond the far plane, and greater is nearer. It is
 //! `4 + 65528 (1 - z / w)`, linear on the screen, from 4 at the far plane to 65 532 at the near one: the margin of 4
@@ -18,6 +18,11 @@ pub trait Depth {
     type Varying: Varying;
     /// The cells of a strip.
     type Plane<'p>;
+    /// One of them.
+    type Cell<'p>;
+    /// Some of them.
+    #[doc(hidden)]
+    type Cells<'p>: Iterator<Item = Self::Cell<'p>>;
 
     /// From `1 - z / w`, in 32 fraction bits.
     #[doc(hidden)]
@@ -32,15 +37,15 @@ pub trait Depth {
     #[doc(hidden)]
     fn clear(plane: &mut Self::Plane<'_>);
 
-    /// Calls `visible` with each run of the cells in `span` that the plane starting at `start` is nearer than.
     #[doc(hidden)]
-    fn runs(
-        plane: &mut Self::Plane<'_>,
-        span: Range<usize>,
-        start: Self::Varying,
-        step: Self::Varying,
-        visible: impl FnMut(Range<usize>),
-    );
+    fn span<'p>(plane: &'p mut Self::Plane<'_>, span: Range<usize>) -> Option<Self::Plane<'p>>;
+
+    #[doc(hidden)]
+    fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;
+
+    /// Whether `depth` is nearer than the cell, which is that far away from now on.
+    #[doc(hidden)]
+    fn cover(cell: Self::Cell<'_>, depth: Self::Varying) -> bool;
 }
 
 /// No depth: what is drawn later hides what was drawn before.
@@ -55,6 +60,8 @@ impl Depth for NoDepth {
     type Vertex = ();
     type Varying = ();
     type Plane<'p> = ();
+    type Cell<'p> = ();
+    type Cells<'p> = core::iter::Repeat<()>;
 
     #[inline]
     fn vertex(_: impl FnOnce() -> u32) {}
@@ -68,8 +75,18 @@ impl Depth for NoDepth {
     fn clear((): &mut ()) {}
 
     #[inline(always)]
-    fn runs((): &mut (), span: Range<usize>, (): (), (): (), mut visible: impl FnMut(Range<usize>)) {
-        visible(span);
+    fn span((): &mut (), _: Range<usize>) -> Option<()> {
+        Some(())
+    }
+
+    #[inline(always)]
+    fn cells((): Self::Plane<'_>) -> Self::Cells<'_> {
+        core::iter::repeat(())
+    }
+
+    #[inline(always)]
+    fn cover((): (), (): ()) -> bool {
+        true
     }
 }
 
@@ -82,6 +99,8 @@ impl Depth for Depth16 {
     type Vertex = DepthVertex;
     type Varying = DepthCode;
     type Plane<'p> = &'p mut [u16];
+    type Cell<'p> = &'p mut u16;
+    type Cells<'p> = core::slice::IterMut<'p, u16>;
 
     #[inline]
     fn vertex(nearness: impl FnOnce() -> u32) -> DepthVertex {
@@ -104,62 +123,24 @@ impl Depth for Depth16 {
     }
 
     #[inline(always)]
-    fn runs(
-        plane: &mut &mut [u16],
-        span: Range<usize>,
-        start: DepthCode,
-        step: DepthCode,
-        mut visible: impl FnMut(Range<usize>),
-    ) {
-        let mut at = span.start;
-        let Some(mut cells) = plane.get_mut(span) else { return };
-        let mut code = start.to_bits();
-        let step = step.to_bits();
-        // Visible first: most spans are visible to their end.
-        loop {
-            let nearer = cover(cells, code, step);
-            if nearer != 0 {
-                visible(at..at + nearer);
-            }
-            let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
-            code = code.wrapping_add(step.wrapping_mul(nearer as u32));
-            let hidden = hidden(rest, code, step);
-            let Some(rest) = rest.get_mut(hidden..).filter(|rest| !rest.is_empty()) else { return };
-            code = code.wrapping_add(step.wrapping_mul(hidden as u32));
-            at += nearer + hidden;
-            cells = rest;
-        }
+    fn span<'p>(plane: &'p mut &mut [u16], span: Range<usize>) -> Option<&'p mut [u16]> {
+        plane.get_mut(span)
     }
-}
 
-/// How many cells from the first on are as near as the plane, or nearer.
-#[inline(never)]
-fn hidden(cells: &[u16], mut code: u32, step: u32) -> usize {
-    let mut count = 0;
-    for &cell in cells {
-        if (code >> 16) as u16 > cell {
-            break;
-        }
-        code = code.wrapping_add(step);
-        count += 1;
+    #[inline(always)]
+    fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_> {
+        plane.iter_mut()
     }
-    count
-}
 
-/// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many they were.
-#[inline(never)]
-fn cover(cells: &mut [u16], mut code: u32, step: u32) -> usize {
-    let mut count = 0;
-    for cell in cells {
-        let depth = (code >> 16) as u16;
-        if depth <= *cell {
-            break;
+    #[inline(always)]
+    fn cover(cell: &mut u16, depth: DepthCode) -> bool {
+        let code = (depth.to_bits() >> 16) as u16;
+        let nearer = code > *cell;
+        if nearer {
+            *cell = code;
         }
-        *cell = depth;
-        code = code.wrapping_add(step);
-        count += 1;
+        nearer
     }
-    count
 }
 
 /// A vertex's depth.

@@ -128,6 +128,7 @@ mod varying;
 mod setup;
 mod raster;
 mod depth;
+mod run;
 mod pixel;
 mod shade;
 
@@ -159,7 +160,8 @@ pub use viewport::{TooLarge, Viewport};
 pub mod stages {
     pub use crate::attributes::{Attributes, Fraction, Words};
     pub use crate::gradients::{Gradients, Plane};
-    pub use crate::raster::{Span, Traversal, Window};
+    pub use crate::raster::{DrawSpan, Span, Traversal, Window};
+    pub use crate::run::{Place, Run};
     pub use crate::setup::Setup;
     pub use crate::shade::{Correction, PixelShader, Shader, Uniforms};
     pub use crate::snapped::Snapped;

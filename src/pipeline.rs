@@ -1,11 +1,13 @@
 //! The stages in order: from set-up to the target for one triangle, and the vertex stages before them for a whole mesh.
 //!
 //! ```text
-//! mesh --Face--> transform --Position--> clip --ClipVertex--> setup --Setup--> raster --Span--> depth --Run--> shade --> target
+//! mesh --Face--> transform --Position--> clip --ClipVertex--> setup --Setup--> raster --Span--> depth, shade --Run--> target
 //! ```
 
+use crate::depth::Depth;
 use crate::gradients::Plane;
-use crate::raster::{Span, Traversal, Window};
+use crate::raster::{DrawSpan, Span, Traversal, Window};
+use crate::run::Run;
 use crate::setup::Setup;
 use crate::shade::PixelShader;
 use crate::transform::PerVertexInverse;
@@ -20,58 +22,72 @@ pub(crate) struct Vertices<Z, A> {
     pub(crate) colour: [u8; 3],
 }
 
-/// A run of pixels in one row, ready to be shaded: what a [`Surface`] hands to the shader, and back to the target.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Shading<'t, S, T, V> {
-    pub(crate) shader: &'t S,
-    pub(crate) triangle: &'t T,
-    /// At the first pixel of the span, and the step to the next.
-    pub(crate) start: V,
-    pub(crate) step: &'t V,
-}
-
-/// Where spans end: the depth, shade and target stages of a strip or of a display.
-pub(crate) trait Surface<P, Z> {
+/// Where spans end: a strip or a display.
+pub(crate) trait Surface<P, D: Depth> {
     type Error;
 
     /// The pixels that may be drawn.
     fn window(&self) -> &Window;
 
-    /// Draws the visible runs of a span.
-    fn span<'a, S: PixelShader<'a, P>>(
+    /// Draws a span: its colours are what `shade` makes of runs of it, in order, from the column where each starts.
+    fn span(
         &mut self,
         span: Span,
-        depth: (Z, Z),
-        shading: Shading<'_, S, S::Triangle, S::Varying>,
+        depth: &Plane<D::Varying>,
+        solid: impl FnOnce() -> Option<P>,
+        shade: impl FnMut(i32, Run<'_, P, D>),
     ) -> Result<(), Self::Error>;
 }
 
 /// Draws a triangle of three vertices in canonical order.
 #[inline]
-pub(crate) fn draw<'a, P, S, T, Z, Target>(
+pub(crate) fn draw<'a, P, S, T, D, Target>(
     setup: &Setup,
     shader: S,
-    vertices: Vertices<Z, S::Vertex>,
-    mut target: Target,
+    vertices: Vertices<D::Varying, S::Vertex>,
+    target: Target,
 ) -> Result<(), Target::Error>
 where
+    P: Copy,
     S: PixelShader<'a, P>,
     T: Traversal,
-    Z: Varying,
-    Target: Surface<P, Z>,
+    D: Depth,
+    Target: Surface<P, D>,
 {
     let (triangle, varyings) = shader.triangle(vertices.colour, vertices.attributes, vertices.inverses);
     // Planes of nothing need no gradients, and no reciprocal.
     let gradients = setup.gradients();
-    let depth: Plane<Z> = Z::plane(&gradients, vertices.depths);
-    let varying: Plane<S::Varying> = Varying::plane(&gradients, varyings);
     let [x, y] = setup.anchor();
-    let (depth, varying) = (depth.from_anchor(x, y), varying.from_anchor(x, y));
+    let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).from_anchor(x, y);
+    let varying = <S::Varying as Varying>::plane(&gradients, varyings).from_anchor(x, y);
     let window = target.window().clone();
-    // All of it moves into what is called for each row, so that nothing is further than one pointer away.
-    T::walk(setup, &window, move |span| {
-        let start = varying.at(span.start, span.y);
-        let shading = Shading { shader: &shader, triangle: &triangle, start, step: &varying.dx };
-        target.span(span, (depth.at(span.start, span.y), depth.dx), shading)
-    })
+    T::walk(setup, &window, Painter::<P, S, D, Target> { target, depth, varying, shader, triangle })
+}
+
+/// All that the spans of a triangle need: in one place, so that nothing is further than one pointer away.
+struct Painter<'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
+    target: Target,
+    depth: Plane<D::Varying>,
+    varying: Plane<S::Varying>,
+    shader: S,
+    triangle: S::Triangle,
+}
+
+impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Painter<'a, P, S, D, Target>
+where
+    P: Copy,
+    S: PixelShader<'a, P>,
+    D: Depth,
+    Target: Surface<P, D>,
+{
+    #[inline(always)]
+    fn draw(&mut self, span: Span) -> Result<(), Target::Error> {
+        let Self { target, depth, varying, shader, triangle } = self;
+        target.span(
+            span,
+            depth,
+            || shader.solid(triangle),
+            |column, run| shader.shade(triangle, varying.at(column, span.y), &varying.dx, run),
+        )
+    }
 }

@@ -5,6 +5,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 use crate::clip::{ClipVertex, Outcode, clip, from_least};
+use crate::depth::NoDepth;
 use crate::math::format::{Attribute, SUBPIXELS};
 use crate::pipeline::{self, Vertices};
 use crate::pixel::Pixel;
@@ -139,7 +140,7 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
                 colour,
             };
             let display = Display { origin: area.top_left, window: window.clone(), target: &mut *target };
-            pipeline::draw::<C, S, Spans, (), _>(&setup, *shader, vertices, display)?;
+            pipeline::draw::<C, S, Spans, NoDepth, _>(&setup, *shader, vertices, display)?;
         }
         middle = last;
     }

@@ -84,7 +84,7 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
         colour: triangle.colour,
     };
     let shader = S::from_uniforms(uniforms);
-    let Ok(()) = pipeline::draw::<P, S, T, D::Varying, _>(&setup, shader, vertices, target.reborrow());
+    let Ok(()) = pipeline::draw::<P, S, T, D, _>(&setup, shader, vertices, target.reborrow());
 }
 
 /// A vertex of the list, as its words say.

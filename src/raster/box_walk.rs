@@ -1,6 +1,6 @@
 //! The bounding-box walk: three edge functions at every pixel.
 
-use super::{Span, Traversal, Window};
+use super::{DrawSpan, Span, Traversal, Window};
 use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 use crate::setup::Setup;
 use crate::snapped::{Snapped, first_centre};
@@ -12,7 +12,7 @@ use crate::snapped::{Snapped, first_centre};
 pub struct BoxWalk;
 
 impl Traversal for BoxWalk {
-    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl DrawSpan<E>) -> Result<(), E> {
         let [a, b, c] = setup.points();
         // Clockwise as seen, so that all three are positive inside.
         let (b, c) = if setup.area2() > 0 { (b, c) } else { (c, b) };
@@ -43,7 +43,7 @@ impl Traversal for BoxWalk {
                 }
             }
             if span.start < span.end {
-                draw(span)?;
+                draw.draw(span)?;
             }
             for edge in &mut edges {
                 edge.value = edge.value.wrapping_add(edge.dx);

@@ -45,5 +45,21 @@ pub trait Traversal {
     ///
     /// # Errors
     /// What `draw` returned.
-    fn walk<E>(setup: &Setup, window: &Window, draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E>;
+    fn walk<E>(setup: &Setup, window: &Window, draw: impl DrawSpan<E>) -> Result<(), E>;
+}
+
+/// What is done with each span: any function of one, or the stages that follow.
+pub trait DrawSpan<E> {
+    /// Draws it.
+    ///
+    /// # Errors
+    /// Where it could not be drawn: no other follows.
+    fn draw(&mut self, span: Span) -> Result<(), E>;
+}
+
+impl<E, F: FnMut(Span) -> Result<(), E>> DrawSpan<E> for F {
+    #[inline]
+    fn draw(&mut self, span: Span) -> Result<(), E> {
+        self(span)
+    }
 }

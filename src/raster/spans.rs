@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::edge::{Dda, Edge, ShortEdge};
-use super::{Span, Traversal, Window};
+use super::{DrawSpan, Span, Traversal, Window};
 use crate::setup::Setup;
 use crate::snapped::first_centre;
 
@@ -17,7 +17,7 @@ pub struct Spans;
 
 impl Traversal for Spans {
     #[inline]
-    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl DrawSpan<E>) -> Result<(), E> {
         if ShortEdge::suits(setup, &window.columns) {
             halves::<ShortEdge, E>(setup, window, &mut draw)
         } else {
@@ -31,7 +31,7 @@ impl Traversal for Spans {
 fn halves<S: Edge, E>(
     setup: &Setup,
     window: &Window,
-    draw: &mut impl FnMut(Span) -> Result<(), E>,
+    draw: &mut impl DrawSpan<E>,
 ) -> Result<(), E> {
     let [top, middle, bottom] = setup.points();
     let rows = setup.rows();
@@ -65,7 +65,7 @@ fn rows_between<S: Edge, E>(
     mut right: S,
     rows: Range<i32>,
     columns: &Range<i32>,
-    draw: &mut impl FnMut(Span) -> Result<(), E>,
+    draw: &mut impl DrawSpan<E>,
 ) -> Result<(S, S), E> {
     let Range { start: mut y, end: stop } = rows;
     while y < stop {
@@ -74,7 +74,7 @@ fn rows_between<S: Edge, E>(
             (span.start, span.end) = (span.start.max(columns.start), span.end.min(columns.end));
         }
         if span.start < span.end {
-            draw(span)?;
+            draw.draw(span)?;
         }
         left.step();
         right.step();

@@ -2,9 +2,11 @@
 
 use super::light::{LocalSun, Material, Sun, lit};
 use super::{PixelShader, Shader, Uniforms};
+use crate::depth::Depth;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
+use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
 /// One colour a face, with or without light.
@@ -83,9 +85,11 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
         (P::from_rgb(colour), [(); 3])
     }
 
-    #[inline]
-    fn shade(&self, colour: &P, (): (), (): &(), run: &mut [P]) {
-        run.fill(*colour);
+    #[inline(always)]
+    fn shade<D: Depth>(&self, colour: &P, (): (), (): &(), run: Run<'_, P, D>) {
+        for pixel in run.pixels() {
+            pixel.shade(|| *colour);
+        }
     }
 
     fn solid(&self, colour: &P) -> Option<P> {

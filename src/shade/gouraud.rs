@@ -2,10 +2,12 @@
 
 use super::light::{LocalSun, Material, Sun, lit};
 use super::{PixelShader, Shader, Uniforms};
+use crate::depth::Depth;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
+use crate::run::Run;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -95,11 +97,11 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
         ((), vertices.map(in_steps::<P>))
     }
 
-    #[inline(never)]
-    fn shade(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: &mut [P]) {
+    #[inline(always)]
+    fn shade<D: Depth>(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: Run<'_, P, D>) {
         let mut colour = start;
-        for pixel in run {
-            *pixel = P::from_fixed(colour);
+        for pixel in run.pixels() {
+            pixel.shade(|| P::from_fixed(colour));
             colour = colour.plus(*step);
         }
     }

@@ -5,8 +5,10 @@
 //! and calls it for each run. Only the shaders that a program uses are linked.
 
 use crate::attributes::Attributes;
+use crate::depth::Depth;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
+use crate::run::Run;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
@@ -78,7 +80,13 @@ pub trait PixelShader<'a, P>: Copy {
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
     /// Colours a run: `start` at its first pixel, `step` more at each after it.
-    fn shade(&self, triangle: &Self::Triangle, start: Self::Varying, step: &Self::Varying, run: &mut [P]);
+    fn shade<D: Depth>(
+        &self,
+        triangle: &Self::Triangle,
+        start: Self::Varying,
+        step: &Self::Varying,
+        run: Run<'_, P, D>,
+    );
 
     /// The one colour of the triangle, where it has but one.
     fn solid(&self, triangle: &Self::Triangle) -> Option<P> {

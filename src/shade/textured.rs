@@ -3,10 +3,12 @@
 use super::light::{LocalSun, Sun};
 use super::perspective::Correction;
 use super::{PixelShader, Shader, Uniforms};
+use crate::depth::Depth;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
+use crate::run::Run;
 use crate::texture::{Texture, Wrap};
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
@@ -122,9 +124,15 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         self.correction.triangle(vertices, inverses)
     }
 
-    #[inline(never)]
-    fn shade(&self, triangle: &C::Triangle, start: C::Varying, step: &C::Varying, run: &mut [P]) {
-        self.walk(triangle, start, step, run.iter_mut(), |pixel, texel| *pixel = P::from_texel(texel));
+    #[inline(always)]
+    fn shade<D: Depth>(
+        &self,
+        triangle: &C::Triangle,
+        start: C::Varying,
+        step: &C::Varying,
+        run: Run<'_, P, D>,
+    ) {
+        self.walk(triangle, start, step, run.pixels(), |pixel, texel| pixel.shade(|| P::from_texel(texel)));
     }
 }
 
@@ -183,19 +191,19 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         (triangle, [(a, p), (b, q), (c, r)])
     }
 
-    #[inline(never)]
-    fn shade(
+    #[inline(always)]
+    fn shade<D: Depth>(
         &self,
         triangle: &C::Triangle,
         start: (C::Varying, Attribute),
         step: &(C::Varying, Attribute),
-        run: &mut [P],
+        run: Run<'_, P, D>,
     ) {
         let mut light = start.1;
-        self.0.walk(triangle, start.0, &step.0, run.iter_mut(), |pixel, texel| {
+        self.0.walk(triangle, start.0, &step.0, run.pixels(), |pixel, texel| {
             // Interpolation may leave the range by less than the half that rounds.
             let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
-            *pixel = P::lit_texel(texel, steps);
+            pixel.shade(|| P::lit_texel(texel, steps));
             light = light.plus(step.1);
         });
     }

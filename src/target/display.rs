@@ -4,11 +4,12 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-use crate::pipeline::{Shading, Surface};
+use crate::depth::NoDepth;
+use crate::gradients::Plane;
+use crate::pipeline::Surface;
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
-use crate::shade::PixelShader;
-use crate::varying::Varying;
+use crate::run::Run;
 
 /// A target that is drawn to run by run.
 pub(crate) struct Display<'t, T> {
@@ -18,7 +19,7 @@ pub(crate) struct Display<'t, T> {
     pub(crate) window: Window,
 }
 
-impl<P: Pixel, T: DrawTarget<Color = P>> Surface<P, ()> for Display<'_, T>
+impl<P: Pixel, T: DrawTarget<Color = P>> Surface<P, NoDepth> for Display<'_, T>
 where
     P: embedded_graphics_core::prelude::PixelColor,
 {
@@ -28,60 +29,63 @@ where
         &self.window
     }
 
-    fn span<'a, S: PixelShader<'a, P>>(
+    fn span(
         &mut self,
         span: Span,
-        _: ((), ()),
-        shading: Shading<'_, S, S::Triangle, S::Varying>,
+        _: &Plane<()>,
+        solid: impl FnOnce() -> Option<P>,
+        shade: impl FnMut(i32, Run<'_, P, NoDepth>),
     ) -> Result<(), T::Error> {
         let length = (span.end - span.start).unsigned_abs();
         let at = Point::new(self.origin.x.saturating_add(span.start), self.origin.y.saturating_add(span.y));
         let area = Rectangle::new(at, Size::new(length, 1));
-        match shading.shader.solid(shading.triangle) {
+        match solid() {
             Some(colour) => self.target.fill_solid(&area, colour),
-            None => self.target.fill_contiguous(&area, Colours::new(shading, length)),
+            None => self.target.fill_contiguous(&area, Colours::new(shade, span)),
         }
     }
 }
 
 /// Pixels shaded at a time.
-const CHUNK: u32 = 16;
+const CHUNK: i32 = 16;
 
-/// The colours of a run, shaded a few pixels ahead.
-struct Colours<'t, S, T, V, P> {
-    shading: Shading<'t, S, T, V>,
+/// The colours of a span, shaded a few pixels ahead.
+struct Colours<S, P> {
+    shade: S,
     chunk: [P; CHUNK as usize],
-    /// The next pixel of the run, and how many it has.
-    next: u32,
-    length: u32,
+    /// Of the chunk, what comes next.
+    within: usize,
+    /// Columns that are not shaded yet.
+    start: i32,
+    end: i32,
+    length: usize,
 }
 
-impl<'t, S, T, V, P: Pixel> Colours<'t, S, T, V, P> {
-    fn new(shading: Shading<'t, S, T, V>, length: u32) -> Self {
-        Self { shading, chunk: [P::from_channels([0; 3]); CHUNK as usize], next: 0, length }
+impl<S, P: Pixel> Colours<S, P> {
+    fn new(shade: S, Span { start, end, .. }: Span) -> Self {
+        let chunk = [P::from_channels([0; 3]); CHUNK as usize];
+        Self { shade, chunk, within: 0, length: 0, start, end }
     }
 }
 
-impl<'a, S: PixelShader<'a, P>, P: Pixel> Iterator for Colours<'_, S, S::Triangle, S::Varying, P> {
+impl<S: FnMut(i32, Run<'_, P, NoDepth>), P: Pixel> Iterator for Colours<S, P> {
     type Item = P;
 
     fn next(&mut self) -> Option<P> {
-        if self.next == self.length {
-            return None;
+        if self.within == self.length {
+            self.length = CHUNK.min(self.end - self.start).max(0) as usize;
+            let colours = self.chunk.get_mut(..self.length).filter(|colours| !colours.is_empty())?;
+            (self.shade)(self.start, Run { colours, depths: (), depth: (), step: () });
+            self.start += self.length as i32;
+            self.within = 0;
         }
-        let within = self.next % CHUNK;
-        if within == 0 {
-            let Shading { shader, triangle, start, step } = &self.shading;
-            let start = start.plus(step.times(self.next.cast_signed()));
-            let length = CHUNK.min(self.length - self.next) as usize;
-            shader.shade(triangle, start, *step, self.chunk.get_mut(..length).unwrap_or_default());
-        }
-        self.next += 1;
-        self.chunk.get(within as usize).copied()
+        let colour = self.chunk.get(self.within).copied();
+        self.within += 1;
+        colour
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = (self.length - self.next) as usize;
+        let left = (self.end - self.start).max(0) as usize + self.length - self.within;
         (left, Some(left))
     }
 }

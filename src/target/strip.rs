@@ -8,11 +8,11 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 use crate::depth::{Depth, Depth16, NoDepth};
-use crate::pipeline::{Shading, Surface};
+use crate::gradients::Plane;
+use crate::pipeline::Surface;
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
-use crate::shade::PixelShader;
-use crate::varying::Varying;
+use crate::run::Run;
 
 /// Some rows of a frame: borrowed colours, and depths for a strip that has them.
 ///
@@ -151,7 +151,7 @@ impl<P, D: Depth> Rows<'_, P, D> {
     }
 }
 
-impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, P, D> {
+impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
     type Error = Infallible;
 
     #[inline]
@@ -159,26 +159,21 @@ impl<P: Copy, D: Depth> Surface<P, D::Varying> for Rows<'_, P, D> {
         &self.window
     }
 
-    #[inline]
-    fn span<'a, S: PixelShader<'a, P>>(
+    #[inline(always)]
+    fn span(
         &mut self,
         span: Span,
-        depth: (D::Varying, D::Varying),
-        shading: Shading<'_, S, S::Triangle, S::Varying>,
+        depth: &Plane<D::Varying>,
+        _: impl FnOnce() -> Option<P>,
+        mut shade: impl FnMut(i32, Run<'_, P, D>),
     ) -> Result<(), Infallible> {
         let Self { colours, depths, width, origin, .. } = self;
         // The window lies inside the strip: cells are at least zero here.
         let row = span.y.wrapping_mul(*width).wrapping_add(*origin);
-        let (first, end) = ((row + span.start) as usize, (row + span.end) as usize);
-        D::runs(depths, first..end, depth.0, depth.1, |run| {
-            let start = match run.start - first {
-                0 => shading.start,
-                steps => shading.start.plus(shading.step.times(steps as i32)),
-            };
-            if let Some(pixels) = colours.get_mut(run) {
-                shading.shader.shade(shading.triangle, start, shading.step, pixels);
-            }
-        });
+        let cells = (row + span.start) as usize..(row + span.end) as usize;
+        if let (Some(colours), Some(depths)) = (colours.get_mut(cells.clone()), D::span(depths, cells)) {
+            shade(span.start, Run { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx });
+        }
         Ok(())
     }
 }
