@@ -4,6 +4,7 @@ use crate::depth::Depth;
 use crate::varying::Varying;
 
 /// Some pixels of a row, ready to be shaded: their colours, and what lies there already.
+#[expect(missing_debug_implementations, reason = "its cells are of any kind")]
 pub struct Run<'r, P, D: Depth> {
     pub(crate) colours: &'r mut [P],
     pub(crate) depths: D::Plane<'r>,
@@ -13,6 +14,7 @@ pub struct Run<'r, P, D: Depth> {
 }
 
 /// A pixel of a run.
+#[expect(missing_debug_implementations, reason = "its cell is of any kind")]
 pub struct Place<'r, P, D: Depth> {
     colour: &'r mut P,
     cell: D::Cell<'r>,
