@@ -45,7 +45,7 @@ pub(crate) fn draw<'a, P, S, T, D, Target>(
     setup: &Setup,
     shader: S,
     vertices: Vertices<D::Varying, S::Vertex>,
-    target: Target,
+    target: &mut Target,
 ) -> Result<(), Target::Error>
 where
     P: Copy,
@@ -61,19 +61,19 @@ where
     let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).from_anchor(x, y);
     let varying = <S::Varying as Varying>::plane(&gradients, varyings).from_anchor(x, y);
     let window = target.window().clone();
-    T::walk(setup, &window, Painter::<P, S, D, Target> { target, depth, varying, shader, triangle })
+    T::walk(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, varying, shader, triangle })
 }
 
-/// All that the spans of a triangle need: in one place, so that nothing is further than one pointer away.
-struct Painter<'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
-    target: Target,
+/// All that the spans of a triangle need.
+struct Painter<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
+    target: &'t mut Target,
     depth: Plane<D::Varying>,
     varying: Plane<S::Varying>,
     shader: S,
     triangle: S::Triangle,
 }
 
-impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Painter<'a, P, S, D, Target>
+impl<'a, P, S, D, Target> DrawSpan<Target::Error> for &mut Painter<'_, 'a, P, S, D, Target>
 where
     P: Copy,
     S: PixelShader<'a, P>,
@@ -82,7 +82,7 @@ where
 {
     #[inline(always)]
     fn draw(&mut self, span: Span) -> Result<(), Target::Error> {
-        let Self { target, depth, varying, shader, triangle } = self;
+        let Painter { target, depth, varying, shader, triangle } = &mut **self;
         target.span(
             span,
             depth,

@@ -44,11 +44,16 @@ pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
         - product::signed(cx.wrapping_sub(ax), by.wrapping_sub(ay))
 }
 
+/// A triangle less than this apart on both axes, in steps of 1/256 px, is small: 32 px. Products of its edges fit 32
+/// bits.
+pub(crate) const SMALL: i32 = 32 << SUBPIXEL_BITS;
+
 /// A triangle ready for traversal: snapped vertices inside the guard rectangle, in canonical order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Setup {
     points: [Snapped; 3],
     area2: i64,
+    small: bool,
 }
 
 impl Setup {
@@ -56,8 +61,13 @@ impl Setup {
     #[inline]
     pub(crate) fn sorted(points: [Snapped; 3]) -> Option<Self> {
         let [a, b, c] = points;
-        let area2 = area2(a, b, c);
-        if area2 == 0 { None } else { Some(Self { points, area2 }) }
+        let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
+        let (dx1, dy1, dx2, dy2) = (bx - ax, by - ay, cx - ax, cy - ay);
+        // Sign bits: one test for all. The rows are in order.
+        let beyond = |d: i32| (SMALL - 1 - d) | (SMALL - 1 + d);
+        let small = beyond(dx1) | beyond(dx2) | beyond(dx2 - dx1) | (SMALL - 1 - dy2) >= 0;
+        let area2 = if small { i64::from(dx1 * dy2 - dx2 * dy1) } else { area2(a, b, c) };
+        if area2 == 0 { None } else { Some(Self { points, area2, small }) }
     }
 
     /// The triangle of three vertices in any order, and where in that order each of its own vertices stood.
@@ -100,6 +110,12 @@ impl Setup {
         self.area2
     }
 
+    /// Whether no two vertices are [`SMALL`] apart, or more, on an axis.
+    #[inline]
+    pub(crate) const fn is_small(&self) -> bool {
+        self.small
+    }
+
     /// The rows whose pixel centres lie between the top and the bottom vertex.
     #[inline]
     pub fn rows(&self) -> core::ops::Range<i32> {
@@ -117,7 +133,7 @@ impl Setup {
     /// What turns values at the vertices into planes.
     #[inline]
     pub fn gradients(&self) -> Gradients {
-        Gradients::new(self.points, self.area2)
+        Gradients::new(self)
     }
 }
 

@@ -139,8 +139,8 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
                 attributes: order.map(|vertex| vertex.attributes),
                 colour,
             };
-            let display = Display { origin: area.top_left, window: window.clone(), target: &mut *target };
-            pipeline::draw::<C, S, Spans, NoDepth, _>(&setup, *shader, vertices, display)?;
+            let mut display = Display { origin: area.top_left, window: window.clone(), target: &mut *target };
+            pipeline::draw::<C, S, Spans, NoDepth, _>(&setup, *shader, vertices, &mut display)?;
         }
         middle = last;
     }

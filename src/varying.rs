@@ -55,10 +55,10 @@ macro_rules! scalar {
     ($($format:ty),*) => {$(
         impl Varying for $format {
             #[inline]
-            fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self> {
-                let Plane { start, dx, dy } = gradients.plane(at_vertices.map(|value| i64::from(value.to_bits())));
-                let [start, dx, dy] = [start, dx, dy].map(|bits| Self::from_bits(bits as _));
-                Plane { start, dx, dy }
+            fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
+                let Plane { start, dx, dy } =
+                    gradients.plane([a.to_bits().into(), b.to_bits().into(), c.to_bits().into()]);
+                Plane { start: Self::from_bits(start as _), dx: Self::from_bits(dx as _), dy: Self::from_bits(dy as _) }
             }
 
             #[inline(always)]
@@ -77,18 +77,14 @@ macro_rules! scalar {
 scalar!(Attribute, DepthCode, Inverse);
 
 macro_rules! array {
-    ($($n:literal: $($p:ident $q:ident),*;)*) => {$(
+    ($($n:literal: $($p:ident $q:ident $r:ident),*;)*) => {$(
         // Written out: a loop over three elements stays a loop where code is compiled for size.
         impl<V: Varying> Varying for [V; $n] {
             #[inline]
             fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
-                let mut plane = Plane { start: a, dx: b, dy: c };
-                // The three vertices' values are replaced one by one with what their plane is made of.
-                for ((start, dx), dy) in plane.start.iter_mut().zip(&mut plane.dx).zip(&mut plane.dy) {
-                    let scalar = V::plane(gradients, [*start, *dx, *dy]);
-                    (*start, *dx, *dy) = (scalar.start, scalar.dx, scalar.dy);
-                }
-                plane
+                let ([$($p),*], [$($q),*], [$($r),*]) = (a, b, c);
+                $(let $p = V::plane(gradients, [$p, $q, $r]);)*
+                Plane { start: [$($p.start),*], dx: [$($p.dx),*], dy: [$($p.dy),*] }
             }
 
             #[inline(always)]
@@ -107,8 +103,8 @@ macro_rules! array {
 }
 
 array! {
-    2: a d, b e;
-    3: a d, b e, c f;
+    2: a d g, b e h;
+    3: a d g, b e h, c f i;
 }
 
 impl<V: Varying, W: Varying> Varying for (V, W) {

@@ -4,9 +4,9 @@
 //! exact, the product with the reciprocal as well, and one rounding to nearest. An error of the reciprocal scales the
 //! plane about its first vertex, so it is harmless even for slivers.
 
-use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
+use crate::math::format::{HALF_PIXEL, SUBPIXELS};
 use crate::math::recip;
-use crate::snapped::Snapped;
+use crate::setup::Setup;
 
 mod small;
 mod wide;
@@ -41,16 +41,18 @@ pub struct Gradients {
 }
 
 impl Gradients {
-    /// Of a triangle in canonical order, with an area.
     #[inline]
-    pub(crate) fn new([a, b, c]: [Snapped; 3], area2: i64) -> Self {
+    pub(crate) fn new(setup: &Setup) -> Self {
+        let [a, b, c] = setup.points();
         let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
-        let sign = if area2 < 0 { -1 } else { 1 };
-        let [first, second] = [[bx - ax, by - ay], [cx - ax, cy - ay]].map(|edge| edge.map(|d| d * sign));
-        let small = area2.unsigned_abs() < 1 << small::AREA_BITS
-            && [first, second].as_flattened().iter().all(|d| d.unsigned_abs() < 32 << SUBPIXEL_BITS);
-        let (reciprocal, normalised) =
-            if small { recip::small_area(area2.unsigned_abs() as u32) } else { recip::area(area2.unsigned_abs()) };
+        let (first, second) = if setup.area2() < 0 {
+            ([ax - bx, ay - by], [ax - cx, ay - cy])
+        } else {
+            ([bx - ax, by - ay], [cx - ax, cy - ay])
+        };
+        let area2 = setup.area2().unsigned_abs();
+        let small = setup.is_small() && area2 >> small::AREA_BITS == 0;
+        let (reciprocal, normalised) = if small { recip::small_area(area2 as u32) } else { recip::area(area2) };
         // From the vertex to the centre of the pixel that holds it: -127 to 128.
         let to_centre = |coordinate: i32| HALF_PIXEL - (coordinate & (SUBPIXELS - 1));
         Self {
@@ -59,8 +61,8 @@ impl Gradients {
             reciprocal,
             shift: (54 - normalised).unsigned_abs(),
             small,
-            anchor: [ax >> SUBPIXEL_BITS, ay >> SUBPIXEL_BITS],
             to_centre: [to_centre(ax), to_centre(ay)],
+            anchor: setup.anchor(),
         }
     }
 
@@ -72,15 +74,19 @@ impl Gradients {
 
     /// The plane through three values of up to 32 bits, in canonical order, modulo 2^32.
     pub(crate) fn plane(&self, [a, b, c]: [i64; 3]) -> Plane<u32> {
-        let [dx, dy] = if self.small { small::gradients(self, b - a, c - a) } else { wide::gradients(self, b - a, c - a) };
+        let (start, d1, d2) = (a as i32, b - a, c - a);
+        if self.small { small::plane(self, start, d1, d2) } else { wide::plane(self, start, d1, d2) }
+    }
+
+    /// The plane of a value at the first vertex and two gradients.
+    #[inline(always)]
+    fn through(&self, first: i32, dx: Gradient, dy: Gradient) -> Plane<u32> {
         let [ox, oy] = self.to_centre;
         // A gradient is multiplied by up to 128 and divided by 256: as its whole steps of 256, and what is below them.
-        let whole = dx.over_256.wrapping_mul(ox) + dy.over_256.wrapping_mul(oy);
+        let whole = dx.over_256.wrapping_mul(ox).wrapping_add(dy.over_256.wrapping_mul(oy));
         let below = (dx.low & 255) * ox + (dy.low & 255) * oy;
-        let offset = whole.wrapping_add((below + 128) >> 8);
-        let start = (a as i32).wrapping_add(offset);
-        let [start, dx, dy] = [start, dx.low, dy.low].map(i32::cast_unsigned);
-        Plane { start, dx, dy }
+        let start = first.wrapping_add(whole).wrapping_add((below + 128) >> 8);
+        Plane { start: start.cast_unsigned(), dx: dx.low.cast_unsigned(), dy: dy.low.cast_unsigned() }
     }
 }
 

@@ -1,16 +1,22 @@
 //! Gradients of triangles of some pixels: less than 32 px high and wide.
 
-use super::{Gradient, Gradients};
+use super::{Gradient, Gradients, Plane};
 
 /// Bits of the doubled area, in steps of 2^-16 px^2.
 pub(super) const AREA_BITS: u32 = 25;
 
-/// Of the plane through 0 and two differences, each of two values of 32 bits.
+/// The plane through a value and two that differ from it, all of 32 bits.
+#[inline(never)]
+pub(super) fn plane(of: &Gradients, first: i32, d1: i64, d2: i64) -> Plane<u32> {
+    let [dx, dy] = gradients(of, d1, d2);
+    of.through(first, dx, dy)
+}
+
 ///
 /// Products of 32 bits with 32 are put together from halves, as a Cortex-M0+ multiplies. Both numerators are exact; of
 /// their product with the reciprocal up to 2 of the last of at least 7 places are lost, and then it is rounded.
-#[inline(never)]
-pub(super) fn gradients(of: &Gradients, d1: i64, d2: i64) -> [Gradient; 2] {
+#[inline(always)]
+fn gradients(of: &Gradients, d1: i64, d2: i64) -> [Gradient; 2] {
     let ([dx1, dy1], [dx2, dy2]) = (of.first, of.second);
     // 17 bits and a sign; and 16 bits.
     let high = |d: i64| (d >> 16) as i32;
@@ -35,7 +41,7 @@ fn quotient(of: &Gradients, high: i32, low: i32) -> Gradient {
     let product = (i64::from(whole_high * high.cast_signed()) << 32) + (middle << 16) + below;
     // 7 to 31: an area has at most 25 bits.
     let shift = of.shift - 16;
-    let rounded = product + (1 << (shift - 1));
+    let rounded = product + i64::from(1_u32 << (shift - 1));
     // Word by word: a chip without 64-bit shifts calls for them.
     let (words_low, words_high) = (rounded as u32, (rounded >> 32) as i32);
     let low = words_low >> shift | words_high.cast_unsigned() << (32 - shift);

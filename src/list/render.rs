@@ -74,8 +74,10 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
     triangle: &ListTriangle,
     target: &mut Rows<'_, P, D>,
 ) {
-    let [a, b, c] = triangle.vertices.map(|at| vertex::<P, D, S>(words, at));
-    let (Some(a), Some(b), Some(c)) = (a, b, c) else { return };
+    let [a, b, c] = triangle.vertices;
+    let Some(a) = vertex::<P, D, S>(words, a) else { return };
+    let Some(b) = vertex::<P, D, S>(words, b) else { return };
+    let Some(c) = vertex::<P, D, S>(words, c) else { return };
     let Some(setup) = Setup::sorted([a.at, b.at, c.at]) else { return };
     let vertices = Vertices {
         depths: [a.depth, b.depth, c.depth],
@@ -84,7 +86,7 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
         colour: triangle.colour,
     };
     let shader = S::from_uniforms(uniforms);
-    let Ok(()) = pipeline::draw::<P, S, T, D, _>(&setup, shader, vertices, target.reborrow());
+    let Ok(()) = pipeline::draw::<P, S, T, D, _>(&setup, shader, vertices, target);
 }
 
 /// A vertex of the list, as its words say.

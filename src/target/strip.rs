@@ -142,15 +142,6 @@ pub(crate) struct Rows<'r, P, D: Depth> {
     window: Window,
 }
 
-impl<P, D: Depth> Rows<'_, P, D> {
-    /// The same for one triangle.
-    #[inline]
-    pub(crate) fn reborrow(&mut self) -> Rows<'_, P, D> {
-        let Self { colours, depths, width, origin, window } = self;
-        Rows { colours, depths: D::reborrow(depths), width: *width, origin: *origin, window: window.clone() }
-    }
-}
-
 impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
     type Error = Infallible;
 
@@ -171,9 +162,9 @@ impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
         // The window lies inside the strip: cells are at least zero here.
         let row = span.y.wrapping_mul(*width).wrapping_add(*origin);
         let cells = (row + span.start) as usize..(row + span.end) as usize;
-        if let (Some(colours), Some(depths)) = (colours.get_mut(cells.clone()), D::span(depths, cells)) {
-            shade(span.start, Run { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx });
-        }
+        let Some(colours) = colours.get_mut(cells.clone()) else { return Ok(()) };
+        let Some(depths) = D::span(depths, cells) else { return Ok(()) };
+        shade(span.start, Run { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx });
         Ok(())
     }
 }

@@ -24,8 +24,6 @@ pub(in crate::raster) struct ShortEdge {
 }
 
 const FRACTION_BITS: u32 = 20;
-/// Less than 32 px: 13 bits.
-const LARGEST: i32 = (32 << SUBPIXEL_BITS) - 1;
 /// The slope of a lower edge may not fit.
 const LOWEST: i32 = 4;
 /// Columns that have room.
@@ -35,14 +33,14 @@ impl ShortEdge {
     /// Whether a triangle's edges can be walked like this: it is small, and no column of it is outside of the window.
     #[inline]
     pub(in crate::raster) fn suits(setup: &Setup, columns: &Range<i32>) -> bool {
-        let [(ax, ay), (bx, by), (cx, cy)] = setup.points().map(Snapped::bits);
+        let [a, b, c] = setup.points();
+        let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
         let (left, right) = (columns.start << SUBPIXEL_BITS, columns.end << SUBPIXEL_BITS);
-        // Sign bits: one test for many.
+        // Sign bits: one test for all.
         let beyond = (ax - left) | (bx - left) | (cx - left) | (right - ax) | (right - bx) | (right - cx);
-        let apart = |a: i32, b: i32| (LARGEST - (a - b)) | (LARGEST + (a - b));
-        let large = (LARGEST - (cy - ay)) | apart(ax, bx) | apart(bx, cx) | apart(cx, ax);
         let fits = |upper: i32, lower: i32| lower - upper >= LOWEST || first_centre(upper) == first_centre(lower);
-        beyond | large >= 0
+        setup.is_small()
+            && beyond >= 0
             && columns.start >= -COLUMNS
             && columns.end <= COLUMNS
             && fits(ay, by)
