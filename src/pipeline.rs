@@ -29,14 +29,35 @@ pub(crate) trait Surface<P, D: Depth> {
     /// The pixels that may be drawn.
     fn window(&self) -> &Window;
 
-    /// Draws a span: its colours are what `shade` makes of runs of it, in order, from the column where each starts.
-    fn span(
+    /// Draws a span.
+    fn span<'a, S: PixelShader<'a, P>>(
         &mut self,
         span: Span,
         depth: &Plane<D::Varying>,
-        solid: impl FnOnce() -> Option<P>,
-        shade: impl FnMut(i32, Run<'_, P, D>),
+        shading: &Shading<'a, P, S>,
     ) -> Result<(), Self::Error>;
+}
+
+/// How the pixels of a triangle get their colours.
+pub(crate) struct Shading<'a, P, S: PixelShader<'a, P>> {
+    shader: S,
+    triangle: S::Triangle,
+    varying: Plane<S::Varying>,
+}
+
+impl<'a, P, S: PixelShader<'a, P>> Shading<'a, P, S> {
+    /// The one colour of all of them, if there is but one.
+    #[inline]
+    pub(crate) fn solid(&self) -> Option<P> {
+        self.shader.solid(&self.triangle)
+    }
+
+    /// Colours a run that starts in a column of a row.
+    #[inline(always)]
+    pub(crate) fn shade<D: Depth>(&self, column: i32, row: i32, run: Run<'_, P, D>) {
+        let Self { shader, triangle, varying } = self;
+        shader.shade(triangle, varying.at(column, row), &varying.dx, run);
+    }
 }
 
 /// Draws a triangle of three vertices in canonical order.
@@ -61,16 +82,15 @@ where
     let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).from_anchor(x, y);
     let varying = <S::Varying as Varying>::plane(&gradients, varyings).from_anchor(x, y);
     let window = target.window().clone();
-    T::walk(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, varying, shader, triangle })
+    let shading = Shading { shader, triangle, varying };
+    T::walk(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
 }
 
 /// All that the spans of a triangle need.
 struct Painter<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
     target: &'t mut Target,
     depth: Plane<D::Varying>,
-    varying: Plane<S::Varying>,
-    shader: S,
-    triangle: S::Triangle,
+    shading: Shading<'a, P, S>,
 }
 
 impl<'a, P, S, D, Target> DrawSpan<Target::Error> for &mut Painter<'_, 'a, P, S, D, Target>
@@ -82,12 +102,7 @@ where
 {
     #[inline(always)]
     fn draw(&mut self, span: Span) -> Result<(), Target::Error> {
-        let Painter { target, depth, varying, shader, triangle } = &mut **self;
-        target.span(
-            span,
-            depth,
-            || shader.solid(triangle),
-            |column, run| shader.shade(triangle, varying.at(column, span.y), &varying.dx, run),
-        )
+        let Painter { target, depth, shading } = &mut **self;
+        target.span(span, depth, shading)
     }
 }

@@ -7,6 +7,7 @@ use embedded_graphics_core::pixelcolor::{
 use embedded_graphics_core::prelude::RawData;
 
 use crate::math::format::Attribute;
+use crate::varying::Varying;
 
 /// A colour of a cell.
 ///
@@ -25,11 +26,21 @@ pub trait Pixel: Copy {
     /// From the bits of a texel.
     fn from_texel(rgb565: u16) -> Self;
 
-    /// From channels of 0 to [`MAX`](Self::MAX) with 16 fraction bits, which are dropped.
-    #[inline(always)]
-    fn from_fixed(channels: [Attribute; 3]) -> Self {
-        Self::from_channels(channels.map(|channel| (channel.to_bits() >> 16) as u8))
-    }
+    /// Channels on their way along a row, or the step from one to the next.
+    #[doc(hidden)]
+    type Stepped: Copy;
+
+    /// From channels of 0 to [`MAX`](Self::MAX), or their step.
+    #[doc(hidden)]
+    fn stepped(channels: [Attribute; 3]) -> Self::Stepped;
+
+    /// One step further.
+    #[doc(hidden)]
+    fn step(from: Self::Stepped, step: Self::Stepped) -> Self::Stepped;
+
+    /// The colour, each channel rounded down.
+    #[doc(hidden)]
+    fn from_stepped(channels: Self::Stepped) -> Self;
 
     /// From channels of 0 to 255, each rounded to the nearest.
     #[inline]
@@ -70,6 +81,24 @@ macro_rules! colours {
         impl Pixel for $colour {
             const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
 
+            type Stepped = [Attribute; 3];
+
+            #[inline(always)]
+            fn stepped(channels: [Attribute; 3]) -> [Attribute; 3] {
+                channels
+            }
+
+            #[inline(always)]
+            fn step(from: [Attribute; 3], step: [Attribute; 3]) -> [Attribute; 3] {
+                from.plus(step)
+            }
+
+            #[inline(always)]
+            fn from_stepped([r, g, b]: [Attribute; 3]) -> Self {
+                let whole = |channel: Attribute| (channel.to_bits() >> 16) as u8;
+                Self::from_channels([whole(r), whole(g), whole(b)])
+            }
+
             #[inline]
             fn from_channels([r, g, b]: [u8; 3]) -> Self {
                 Self::new(r, g, b)
@@ -98,9 +127,21 @@ colours!(Rgb555, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
 impl Pixel for Rgb565 {
     const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
 
+    type Stepped = u64;
+
     #[inline(always)]
-    fn from_fixed(channels: [Attribute; 3]) -> Self {
-        Self::from_texel(u16::from_fixed(channels))
+    fn stepped(channels: [Attribute; 3]) -> u64 {
+        u16::stepped(channels)
+    }
+
+    #[inline(always)]
+    fn step(from: u64, step: u64) -> u64 {
+        u16::step(from, step)
+    }
+
+    #[inline(always)]
+    fn from_stepped(channels: u64) -> Self {
+        Self::from_texel(u16::from_stepped(channels))
     }
 
     #[inline]
@@ -136,11 +177,25 @@ impl Pixel for u16 {
         (five(r) << 11 | six(g) << 5 | five(b)) as Self
     }
 
+    /// All three in one sum, with 16 fraction bits each: 5 + 16, 6 + 16 and 5 + 16 bits are 64. In the high word green is
+    /// where a pixel has it.
+    type Stepped = u64;
+
     #[inline(always)]
-    fn from_fixed(channels: [Attribute; 3]) -> Self {
-        let [r, g, b] = channels;
-        let whole = |channel: Attribute| channel.to_bits() >> 16;
-        ((whole(r) & 31) << 11 | (whole(g) & 63) << 5 | whole(b) & 31) as Self
+    fn stepped([r, g, b]: [Attribute; 3]) -> u64 {
+        let bits = |channel: Attribute| i64::from(channel.to_bits());
+        (bits(r) << 43).wrapping_add(bits(g) << 21).wrapping_add(bits(b)).cast_unsigned()
+    }
+
+    #[inline(always)]
+    fn step(from: u64, step: u64) -> u64 {
+        from.wrapping_add(step)
+    }
+
+    #[inline(always)]
+    fn from_stepped(channels: u64) -> Self {
+        let (low, high) = (channels as u32, (channels >> 32) as u32);
+        (high >> 27 << 11 | high & 0x07E0 | low << 11 >> 27) as Self
     }
 
     #[inline(always)]

@@ -9,7 +9,6 @@ use crate::pixel::Pixel;
 use crate::pose::Pose;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
-use crate::varying::Varying;
 
 /// A colour a vertex, interpolated over the face: lit by the vertices' normals, or the mesh's own colours as they are.
 ///
@@ -94,15 +93,16 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
         vertices: [[u8; 3]; 3],
         _: [PerVertexInverse; 3],
     ) -> ((), [[Attribute; 3]; 3]) {
-        ((), vertices.map(in_steps::<P>))
+        let [a, b, c] = vertices;
+        ((), [in_steps::<P>(a), in_steps::<P>(b), in_steps::<P>(c)])
     }
 
     #[inline(always)]
     fn shade<D: Depth>(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: Run<'_, P, D>) {
-        let mut colour = start;
+        let (mut colour, step) = (P::stepped(start), P::stepped(*step));
         for pixel in run.pixels() {
-            pixel.shade(|| P::from_fixed(colour));
-            colour = colour.plus(*step);
+            pixel.shade(|| P::from_stepped(colour));
+            colour = P::step(colour, step);
         }
     }
 }

@@ -6,10 +6,11 @@ use embedded_graphics_core::primitives::Rectangle;
 
 use crate::depth::NoDepth;
 use crate::gradients::Plane;
-use crate::pipeline::Surface;
+use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
 use crate::run::Run;
+use crate::shade::PixelShader;
 
 /// A target that is drawn to run by run.
 pub(crate) struct Display<'t, T> {
@@ -29,19 +30,18 @@ where
         &self.window
     }
 
-    fn span(
+    fn span<'a, S: PixelShader<'a, P>>(
         &mut self,
         span: Span,
         _: &Plane<()>,
-        solid: impl FnOnce() -> Option<P>,
-        shade: impl FnMut(i32, Run<'_, P, NoDepth>),
+        shading: &Shading<'a, P, S>,
     ) -> Result<(), T::Error> {
         let length = (span.end - span.start).unsigned_abs();
         let at = Point::new(self.origin.x.saturating_add(span.start), self.origin.y.saturating_add(span.y));
         let area = Rectangle::new(at, Size::new(length, 1));
-        match solid() {
+        match shading.solid() {
             Some(colour) => self.target.fill_solid(&area, colour),
-            None => self.target.fill_contiguous(&area, Colours::new(shade, span)),
+            None => self.target.fill_contiguous(&area, Colours::new(shading, span)),
         }
     }
 }
@@ -50,33 +50,33 @@ where
 const CHUNK: i32 = 16;
 
 /// The colours of a span, shaded a few pixels ahead.
-struct Colours<S, P> {
-    shade: S,
+struct Colours<'t, 'a, P, S: PixelShader<'a, P>> {
+    shading: &'t Shading<'a, P, S>,
     chunk: [P; CHUNK as usize],
-    /// Of the chunk, what comes next.
-    within: usize,
-    /// Columns that are not shaded yet.
-    start: i32,
-    end: i32,
+    /// How many of the chunk are shaded, and which of them comes next.
     length: usize,
+    within: usize,
+    /// What is not shaded yet.
+    rest: Span,
 }
 
-impl<S, P: Pixel> Colours<S, P> {
-    fn new(shade: S, Span { start, end, .. }: Span) -> Self {
+impl<'t, 'a, P: Pixel, S: PixelShader<'a, P>> Colours<'t, 'a, P, S> {
+    fn new(shading: &'t Shading<'a, P, S>, rest: Span) -> Self {
         let chunk = [P::from_channels([0; 3]); CHUNK as usize];
-        Self { shade, chunk, within: 0, length: 0, start, end }
+        Self { shading, chunk, length: 0, within: 0, rest }
     }
 }
 
-impl<S: FnMut(i32, Run<'_, P, NoDepth>), P: Pixel> Iterator for Colours<S, P> {
+impl<'a, P: Pixel, S: PixelShader<'a, P>> Iterator for Colours<'_, 'a, P, S> {
     type Item = P;
 
     fn next(&mut self) -> Option<P> {
         if self.within == self.length {
-            self.length = CHUNK.min(self.end - self.start).max(0) as usize;
+            let Span { y, start, end } = self.rest;
+            self.length = CHUNK.min(end - start).max(0) as usize;
             let colours = self.chunk.get_mut(..self.length).filter(|colours| !colours.is_empty())?;
-            (self.shade)(self.start, Run { colours, depths: (), depth: (), step: () });
-            self.start += self.length as i32;
+            self.shading.shade(start, y, Run::<P, NoDepth> { colours, depths: (), depth: (), step: () });
+            self.rest.start += self.length as i32;
             self.within = 0;
         }
         let colour = self.chunk.get(self.within).copied();
@@ -85,7 +85,7 @@ impl<S: FnMut(i32, Run<'_, P, NoDepth>), P: Pixel> Iterator for Colours<S, P> {
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = (self.end - self.start).max(0) as usize + self.length - self.within;
+        let left = (self.rest.end - self.rest.start).max(0) as usize + self.length - self.within;
         (left, Some(left))
     }
 }

@@ -9,10 +9,11 @@ use embedded_graphics_core::primitives::Rectangle;
 
 use crate::depth::{Depth, Depth16, NoDepth};
 use crate::gradients::Plane;
-use crate::pipeline::Surface;
+use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
 use crate::run::Run;
+use crate::shade::PixelShader;
 
 /// Some rows of a frame: borrowed colours, and depths for a strip that has them.
 ///
@@ -151,12 +152,11 @@ impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
     }
 
     #[inline(always)]
-    fn span(
+    fn span<'a, S: PixelShader<'a, P>>(
         &mut self,
         span: Span,
         depth: &Plane<D::Varying>,
-        _: impl FnOnce() -> Option<P>,
-        mut shade: impl FnMut(i32, Run<'_, P, D>),
+        shading: &Shading<'a, P, S>,
     ) -> Result<(), Infallible> {
         let Self { colours, depths, width, origin, .. } = self;
         // The window lies inside the strip: cells are at least zero here.
@@ -164,7 +164,8 @@ impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
         let cells = (row + span.start) as usize..(row + span.end) as usize;
         let Some(colours) = colours.get_mut(cells.clone()) else { return Ok(()) };
         let Some(depths) = D::span(depths, cells) else { return Ok(()) };
-        shade(span.start, Run { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx });
+        let run = Run::<P, D> { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx };
+        shading.shade(span.start, span.y, run);
         Ok(())
     }
 }
