@@ -5,7 +5,7 @@
 //! ```
 
 use crate::depth::Depth;
-use crate::gradients::Plane;
+use crate::gradients::{Gradients, Plane};
 use crate::raster::{DrawSpan, Span, Traversal, Window};
 use crate::run::Run;
 use crate::setup::Setup;
@@ -76,8 +76,8 @@ where
     Target: Surface<P, D>,
 {
     let (triangle, varyings) = shader.triangle(vertices.colour, vertices.attributes, vertices.inverses);
-    // Planes of nothing need no gradients, and no reciprocal.
-    let gradients = setup.gradients();
+    let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
+    let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
     let [x, y] = setup.anchor();
     let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).from_anchor(x, y);
     let varying = <S::Varying as Varying>::plane(&gradients, varyings).from_anchor(x, y);

@@ -11,6 +11,9 @@ use crate::math::format::{Attribute, DepthCode, Inverse};
 /// All arithmetic wraps: sums of rounded gradients are right modulo 2^32, and at a pixel of the triangle the true value
 /// fits, so it is right there, however steep the plane is.
 pub trait Varying: Copy {
+    /// Whether it is nothing at all: its plane needs no gradients then.
+    const NOTHING: bool = false;
+
     /// The plane through three values, one a vertex.
     fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self>;
 
@@ -38,6 +41,8 @@ impl<V: Varying> Plane<V> {
 }
 
 impl Varying for () {
+    const NOTHING: bool = true;
+
     #[inline]
     fn plane(_: &Gradients, _: [Self; 3]) -> Plane<Self> {
         Plane { start: (), dx: (), dy: () }
@@ -108,6 +113,8 @@ array! {
 }
 
 impl<V: Varying, W: Varying> Varying for (V, W) {
+    const NOTHING: bool = V::NOTHING && W::NOTHING;
+
     #[inline]
     fn plane(gradients: &Gradients, at_vertices: [Self; 3]) -> Plane<Self> {
         let first = V::plane(gradients, at_vertices.map(|pair| pair.0));

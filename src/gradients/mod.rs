@@ -41,6 +41,17 @@ pub struct Gradients {
 }
 
 impl Gradients {
+    /// Of no triangle: for planes of nothing.
+    pub(crate) const NONE: Self = Self {
+        first: [0; 2],
+        second: [0; 2],
+        reciprocal: 0,
+        shift: 0,
+        small: false,
+        anchor: [0; 2],
+        to_centre: [0; 2],
+    };
+
     #[inline]
     pub(crate) fn new(setup: &Setup) -> Self {
         let [a, b, c] = setup.points();
@@ -73,9 +84,11 @@ impl Gradients {
     }
 
     /// The plane through three values of up to 32 bits, in canonical order, modulo 2^32.
+    #[inline(never)]
     pub(crate) fn plane(&self, [a, b, c]: [i64; 3]) -> Plane<u32> {
-        let (start, d1, d2) = (a as i32, b - a, c - a);
-        if self.small { small::plane(self, start, d1, d2) } else { wide::plane(self, start, d1, d2) }
+        let (d1, d2) = (b - a, c - a);
+        let (dx, dy) = if self.small { small::gradients(self, d1, d2) } else { wide::gradients(self, d1, d2) };
+        self.through(a as i32, dx, dy)
     }
 
     /// The plane of a value at the first vertex and two gradients.

@@ -1,31 +1,25 @@
 //! Gradients of triangles of some pixels: less than 32 px high and wide.
 
-use super::{Gradient, Gradients, Plane};
+use super::{Gradient, Gradients};
 
 /// Bits of the doubled area, in steps of 2^-16 px^2.
 pub(super) const AREA_BITS: u32 = 25;
 
-/// The plane through a value and two that differ from it, all of 32 bits.
-#[inline(never)]
-pub(super) fn plane(of: &Gradients, first: i32, d1: i64, d2: i64) -> Plane<u32> {
-    let [dx, dy] = gradients(of, d1, d2);
-    of.through(first, dx, dy)
-}
-
+/// Of the plane through 0 and two differences, each of two values of 32 bits.
 ///
 /// Products of 32 bits with 32 are put together from halves, as a Cortex-M0+ multiplies. Both numerators are exact; of
 /// their product with the reciprocal up to 2 of the last of at least 7 places are lost, and then it is rounded.
 #[inline(always)]
-fn gradients(of: &Gradients, d1: i64, d2: i64) -> [Gradient; 2] {
+pub(super) fn gradients(of: &Gradients, d1: i64, d2: i64) -> (Gradient, Gradient) {
     let ([dx1, dy1], [dx2, dy2]) = (of.first, of.second);
     // 17 bits and a sign; and 16 bits.
     let high = |d: i64| (d >> 16) as i32;
     let low = |d: i64| d as i32 & 0xFFFF;
     let (d1_high, d1_low, d2_high, d2_low) = (high(d1), low(d1), high(d2), low(d2));
-    [
+    (
         quotient(of, d1_high * dy2 - d2_high * dy1, d1_low * dy2 - d2_low * dy1),
         quotient(of, d2_high * dx1 - d1_high * dx2, d2_low * dx1 - d1_low * dx2),
-    ]
+    )
 }
 
 /// `2^16 high + low`, over the area.
@@ -80,7 +74,7 @@ mod tests {
                 d1 * i64::from(of.second[1]) - d2 * i64::from(of.first[1]),
                 d2 * i64::from(of.first[0]) - d1 * i64::from(of.second[0]),
             ];
-            for (got, numerator) in gradients(&of, d1, d2).into_iter().zip(numerators) {
+            for (got, numerator) in <[_; 2]>::from(gradients(&of, d1, d2)).into_iter().zip(numerators) {
                 let exact = i128::from(numerator) * 256;
                 // Of the quotient, 40 bits are known: the rest is that of the exact one.
                 let known = i128::from(got.over_256) << 8 | i128::from(got.low & 255);

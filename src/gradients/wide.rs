@@ -1,17 +1,17 @@
 //! Gradients of any triangle.
 
-use super::{Gradient, Gradients, Plane};
+use super::{Gradient, Gradients};
 use crate::math::product;
 
-/// The plane through a value and two that differ from it, all of 32 bits.
+/// Of the plane through 0 and two differences, each of two values of 32 bits.
 #[inline(never)]
-pub(super) fn plane(of: &Gradients, first: i32, d1: i64, d2: i64) -> Plane<u32> {
+pub(super) fn gradients(of: &Gradients, d1: i64, d2: i64) -> (Gradient, Gradient) {
     let ([dx1, dy1], [dx2, dy2]) = (of.first, of.second);
     let gradient = |d, along, less, less_along| {
         let gradient = quotient(of, times(d, along) - times(less, less_along));
         Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
     };
-    of.through(first, gradient(d1, dy2, d2, dy1), gradient(d2, dx1, d1, dx2))
+    (gradient(d1, dy2, d2, dy1), gradient(d2, dx1, d1, dx2))
 }
 
 /// A difference of two values of 32 bits, times a difference of two places.
