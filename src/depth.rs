@@ -43,6 +43,17 @@ pub trait Depth {
     #[doc(hidden)]
     fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;
 
+    /// Calls `visible` with each run of the plane's cells that `start`, and `step` more from one to the next, is nearer
+    /// than.
+    #[doc(hidden)]
+    fn runs(
+        plane: Self::Plane<'_>,
+        length: usize,
+        start: Self::Varying,
+        step: Self::Varying,
+        visible: impl FnMut(Range<usize>),
+    );
+
     /// Whether `depth` is nearer than the cell, which is that far away from now on.
     #[doc(hidden)]
     fn cover(cell: Self::Cell<'_>, depth: Self::Varying) -> bool;
@@ -82,6 +93,11 @@ impl Depth for NoDepth {
     #[inline(always)]
     fn cells((): Self::Plane<'_>) -> Self::Cells<'_> {
         core::iter::repeat(())
+    }
+
+    #[inline(always)]
+    fn runs((): Self::Plane<'_>, length: usize, (): (), (): (), mut visible: impl FnMut(Range<usize>)) {
+        visible(0..length);
     }
 
     #[inline(always)]
@@ -133,6 +149,31 @@ impl Depth for Depth16 {
     }
 
     #[inline(always)]
+    fn runs(
+        mut cells: Self::Plane<'_>,
+        _: usize,
+        start: DepthCode,
+        step: DepthCode,
+        mut visible: impl FnMut(Range<usize>),
+    ) {
+        let (mut at, mut code, step) = (0, start.to_bits(), step.to_bits());
+        // Visible first: most spans are visible to their end.
+        loop {
+            let nearer = cover(cells, code, step);
+            if nearer != 0 {
+                visible(at..at + nearer);
+            }
+            let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
+            code = code.wrapping_add(step.wrapping_mul(nearer as u32));
+            let hidden = hidden(rest, code, step);
+            let Some(rest) = rest.get_mut(hidden..).filter(|rest| !rest.is_empty()) else { return };
+            code = code.wrapping_add(step.wrapping_mul(hidden as u32));
+            at += nearer + hidden;
+            cells = rest;
+        }
+    }
+
+    #[inline(always)]
     fn cover(cell: &mut u16, depth: DepthCode) -> bool {
         let code = (depth.to_bits() >> 16) as u16;
         let nearer = code > *cell;
@@ -141,6 +182,34 @@ impl Depth for Depth16 {
         }
         nearer
     }
+}
+
+/// How many cells from the first on are as near as the plane, or nearer.
+#[inline(never)]
+fn hidden(cells: &[u16], mut code: u32, step: u32) -> usize {
+    let mut count = 0;
+    for &cell in cells {
+        if (code >> 16) as u16 > cell {
+            break;
+        }
+        code = code.wrapping_add(step);
+        count += 1;
+    }
+    count
+}
+
+/// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many they were.
+#[inline(never)]
+fn cover(cells: &mut [u16], mut code: u32, step: u32) -> usize {
+    let mut count = 0;
+    for cell in cells {
+        if !Depth16::cover(cell, DepthCode::from_bits(code)) {
+            break;
+        }
+        code = code.wrapping_add(step);
+        count += 1;
+    }
+    count
 }
 
 /// A vertex's depth.

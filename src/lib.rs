@@ -161,6 +161,7 @@ pub mod stages {
     pub use crate::attributes::{Attributes, Fraction, Words};
     pub use crate::gradients::{Gradients, Plane};
     pub use crate::raster::{DrawSpan, Span, Traversal, Window};
+    pub use crate::pixel::Stepped;
     pub use crate::run::{Place, Run};
     pub use crate::setup::Setup;
     pub use crate::shade::{Correction, PixelShader, Shader, Uniforms};

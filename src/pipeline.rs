@@ -83,7 +83,7 @@ where
     let varying = <S::Varying as Varying>::plane(&gradients, varyings).from_anchor(x, y);
     let window = target.window().clone();
     let shading = Shading { shader, triangle, varying };
-    T::walk(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
+    T::spans(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
 }
 
 /// All that the spans of a triangle need.
@@ -93,7 +93,7 @@ struct Painter<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
     shading: Shading<'a, P, S>,
 }
 
-impl<'a, P, S, D, Target> DrawSpan<Target::Error> for &mut Painter<'_, 'a, P, S, D, Target>
+impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Painter<'_, 'a, P, S, D, Target>
 where
     P: Copy,
     S: PixelShader<'a, P>,
@@ -102,7 +102,7 @@ where
 {
     #[inline(always)]
     fn draw(&mut self, span: Span) -> Result<(), Target::Error> {
-        let Painter { target, depth, shading } = &mut **self;
+        let Self { target, depth, shading } = self;
         target.span(span, depth, shading)
     }
 }

@@ -26,21 +26,8 @@ pub trait Pixel: Copy {
     /// From the bits of a texel.
     fn from_texel(rgb565: u16) -> Self;
 
-    /// Channels on their way along a row, or the step from one to the next.
-    #[doc(hidden)]
-    type Stepped: Copy;
-
-    /// From channels of 0 to [`MAX`](Self::MAX), or their step.
-    #[doc(hidden)]
-    fn stepped(channels: [Attribute; 3]) -> Self::Stepped;
-
-    /// One step further.
-    #[doc(hidden)]
-    fn step(from: Self::Stepped, step: Self::Stepped) -> Self::Stepped;
-
-    /// The colour, each channel rounded down.
-    #[doc(hidden)]
-    fn from_stepped(channels: Self::Stepped) -> Self;
+    /// Channels on their way along a row: `[Attribute; 3]`, or what is stepped faster.
+    type Stepped: Stepped<Self>;
 
     /// From channels of 0 to 255, each rounded to the nearest.
     #[inline]
@@ -55,6 +42,76 @@ pub trait Pixel: Copy {
     #[inline]
     fn lit_texel(rgb565: u16, light: u32) -> Self {
         Self::from_texel(lit(rgb565, light))
+    }
+}
+
+/// The channels of a colour as they are interpolated along a row: stepped by sums.
+pub trait Stepped<P>: Copy {
+    /// Of red, green and blue from 0 to [`MAX`](Pixel::MAX) with 16 fraction bits, or of their step.
+    fn new(channels: [Attribute; 3]) -> Self;
+
+    /// A step further. No channel leaves its range on the way.
+    #[must_use]
+    fn plus(self, step: Self) -> Self;
+
+    /// The colour, each channel rounded down.
+    fn colour(self) -> P;
+}
+
+impl<P: Pixel> Stepped<P> for [Attribute; 3] {
+    #[inline(always)]
+    fn new(channels: [Attribute; 3]) -> Self {
+        channels
+    }
+
+    #[inline(always)]
+    fn plus(self, step: Self) -> Self {
+        Varying::plus(self, step)
+    }
+
+    #[inline(always)]
+    fn colour(self) -> P {
+        let [r, g, b] = self;
+        let whole = |channel: Attribute| (channel.to_bits() >> 16) as u8;
+        P::from_channels([whole(r), whole(g), whole(b)])
+    }
+}
+
+/// All three channels of RGB565 in one sum, with 16 fraction bits each: 5 + 16, 6 + 16 and 5 + 16 bits are 64. In the
+/// high word green is where a pixel has it.
+impl Stepped<u16> for u64 {
+    #[inline(always)]
+    fn new([r, g, b]: [Attribute; 3]) -> Self {
+        let bits = |channel: Attribute| i64::from(channel.to_bits());
+        (bits(r) << 43).wrapping_add(bits(g) << 21).wrapping_add(bits(b)).cast_unsigned()
+    }
+
+    #[inline(always)]
+    fn plus(self, step: Self) -> Self {
+        self.wrapping_add(step)
+    }
+
+    #[inline(always)]
+    fn colour(self) -> u16 {
+        let (low, high) = (self as u32, (self >> 32) as u32);
+        (high >> 27 << 11 | high & 0x07E0 | low << 11 >> 27) as u16
+    }
+}
+
+impl Stepped<Rgb565> for u64 {
+    #[inline(always)]
+    fn new(channels: [Attribute; 3]) -> Self {
+        <Self as Stepped<u16>>::new(channels)
+    }
+
+    #[inline(always)]
+    fn plus(self, step: Self) -> Self {
+        <Self as Stepped<u16>>::plus(self, step)
+    }
+
+    #[inline(always)]
+    fn colour(self) -> Rgb565 {
+        Rgb565::from_texel(<Self as Stepped<u16>>::colour(self))
     }
 }
 
@@ -82,22 +139,6 @@ macro_rules! colours {
             const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
 
             type Stepped = [Attribute; 3];
-
-            #[inline(always)]
-            fn stepped(channels: [Attribute; 3]) -> [Attribute; 3] {
-                channels
-            }
-
-            #[inline(always)]
-            fn step(from: [Attribute; 3], step: [Attribute; 3]) -> [Attribute; 3] {
-                from.plus(step)
-            }
-
-            #[inline(always)]
-            fn from_stepped([r, g, b]: [Attribute; 3]) -> Self {
-                let whole = |channel: Attribute| (channel.to_bits() >> 16) as u8;
-                Self::from_channels([whole(r), whole(g), whole(b)])
-            }
 
             #[inline]
             fn from_channels([r, g, b]: [u8; 3]) -> Self {
@@ -129,21 +170,6 @@ impl Pixel for Rgb565 {
 
     type Stepped = u64;
 
-    #[inline(always)]
-    fn stepped(channels: [Attribute; 3]) -> u64 {
-        u16::stepped(channels)
-    }
-
-    #[inline(always)]
-    fn step(from: u64, step: u64) -> u64 {
-        u16::step(from, step)
-    }
-
-    #[inline(always)]
-    fn from_stepped(channels: u64) -> Self {
-        Self::from_texel(u16::from_stepped(channels))
-    }
-
     #[inline]
     fn from_rgb(rgb: [u8; 3]) -> Self {
         Self::from_texel(u16::from_rgb(rgb))
@@ -168,6 +194,7 @@ impl Pixel for Rgb565 {
 /// RGB565 in the chip's own byte order: a display that takes 16 bits at a time gets red first.
 impl Pixel for u16 {
     const MAX: [u8; 3] = Rgb565::MAX;
+    type Stepped = u64;
 
     /// The nearest, without a division: the same for all 256 values.
     #[inline]
@@ -175,27 +202,6 @@ impl Pixel for u16 {
         let five = |c: u8| (u32::from(c) * 249 + 1014) >> 11;
         let six = |c: u8| (u32::from(c) * 253 + 505) >> 10;
         (five(r) << 11 | six(g) << 5 | five(b)) as Self
-    }
-
-    /// All three in one sum, with 16 fraction bits each: 5 + 16, 6 + 16 and 5 + 16 bits are 64. In the high word green is
-    /// where a pixel has it.
-    type Stepped = u64;
-
-    #[inline(always)]
-    fn stepped([r, g, b]: [Attribute; 3]) -> u64 {
-        let bits = |channel: Attribute| i64::from(channel.to_bits());
-        (bits(r) << 43).wrapping_add(bits(g) << 21).wrapping_add(bits(b)).cast_unsigned()
-    }
-
-    #[inline(always)]
-    fn step(from: u64, step: u64) -> u64 {
-        from.wrapping_add(step)
-    }
-
-    #[inline(always)]
-    fn from_stepped(channels: u64) -> Self {
-        let (low, high) = (channels as u32, (channels >> 32) as u32);
-        (high >> 27 << 11 | high & 0x07E0 | low << 11 >> 27) as Self
     }
 
     #[inline(always)]

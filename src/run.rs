@@ -1,6 +1,6 @@
 //! Stages 6 and 7. The pixels of a span on their way to the target: depth decides which of them are shaded.
 
-use crate::depth::Depth;
+use crate::depth::{Depth, NoDepth};
 use crate::varying::Varying;
 
 /// Some pixels of a row, ready to be shaded: their colours, and what lies there already.
@@ -21,6 +21,24 @@ pub struct Place<'r, P, D: Depth> {
     depth: D::Varying,
 }
 
+impl<'r, P> Run<'r, P, NoDepth> {
+    /// Pixels that nothing hides.
+    ///
+    /// ```
+    /// use topleft::stages::Run;
+    ///
+    /// let mut colours = [0_u16; 4];
+    /// for (x, place) in Run::new(&mut colours).pixels().enumerate() {
+    ///     place.shade(|| x as u16 * 10);
+    /// }
+    /// assert_eq!(colours, [0, 10, 20, 30]);
+    /// ```
+    #[inline]
+    pub fn new(colours: &'r mut [P]) -> Self {
+        Self { colours, depths: (), depth: (), step: () }
+    }
+}
+
 impl<'r, P, D: Depth> Run<'r, P, D> {
     /// How many there are.
     #[inline]
@@ -34,7 +52,20 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
         self.colours.is_empty()
     }
 
-    /// The pixels, from left to right.
+    /// Calls `shade` with each run of visible pixels, and how far from the first of all it starts: for what costs more
+    /// than a test a pixel.
+    #[inline(always)]
+    pub fn visible(self, mut shade: impl FnMut(i32, &mut [P])) {
+        let Self { colours, depths, depth, step } = self;
+        D::runs(depths, colours.len(), depth, step, |run| {
+            let start = run.start as i32;
+            if let Some(colours) = colours.get_mut(run) {
+                shade(start, colours);
+            }
+        });
+    }
+
+    /// The pixels, from left to right, each to be tested: for what costs little.
     #[inline(always)]
     pub fn pixels(self) -> impl Iterator<Item = Place<'r, P, D>> {
         let Self { colours, depths, mut depth, step } = self;
@@ -50,8 +81,14 @@ impl<P, D: Depth> Place<'_, P, D> {
     /// Gives the pixel a colour where the triangle is nearer than what it shows.
     #[inline(always)]
     pub fn shade(self, colour: impl FnOnce() -> P) {
+        self.blend(|place| *place = colour());
+    }
+
+    /// Changes the pixel's colour where the triangle is nearer than what it shows.
+    #[inline(always)]
+    pub fn blend(self, change: impl FnOnce(&mut P)) {
         if D::cover(self.cell, self.depth) {
-            *self.colour = colour();
+            change(self.colour);
         }
     }
 }

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use embedded_graphics::geometry::Size;
 use scenes::View;
 use topleft::Spans;
-use topleft::stages::{Setup, Span, Traversal, Window};
+use topleft::stages::{DrawSpan, Setup, Traversal, Window};
 
 use crate::stage::Stage;
 
@@ -49,7 +49,7 @@ thread_local! {
 struct Counted;
 
 impl Traversal for Counted {
-    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+    fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
         Spans::walk(setup, window, |span| {
             HITS.with_borrow_mut(|hits| {
                 let row = span.y as usize * hits.width;
@@ -57,7 +57,7 @@ impl Traversal for Counted {
                     *pixel += 1;
                 }
             });
-            draw(span)
+            target.draw(span)
         })
     }
 }

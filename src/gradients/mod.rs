@@ -14,7 +14,7 @@ mod wide;
 /// A plane equation: its value at the anchor pixel's centre, and its step a pixel to the right and a pixel down.
 ///
 /// The value at a pixel that is n columns and m rows from the anchor is off by at most `(n + m + 2) / 2` steps of the
-/// format, rounding, and 2^-26 of the largest difference between vertices, the reciprocal of the area.
+/// format, rounding, and 2^-30 of the largest difference between vertices, the reciprocal of the area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plane<V> {
     /// The value at the anchor: the centre of the pixel that holds the triangle's first vertex.

@@ -7,8 +7,8 @@ pub(super) const AREA_BITS: u32 = 25;
 
 /// Of the plane through 0 and two differences, each of two values of 32 bits.
 ///
-/// Products of 32 bits with 32 are put together from halves, as a Cortex-M0+ multiplies. Both numerators are exact; of
-/// their product with the reciprocal up to 2 of the last of at least 7 places are lost, and then it is rounded.
+/// Products of 32 bits with 32 are put together from halves, as a Cortex-M0+ multiplies. The numerators are exact, and
+/// so is their product with the reciprocal, but for what is below its last 16 bits: that cannot change how it is rounded.
 #[inline(always)]
 pub(super) fn gradients(of: &Gradients, d1: i64, d2: i64) -> (Gradient, Gradient) {
     let ([dx1, dy1], [dx2, dy2]) = (of.first, of.second);
@@ -79,10 +79,10 @@ mod tests {
                 // Of the quotient, 40 bits are known: the rest is that of the exact one.
                 let known = i128::from(got.over_256) << 8 | i128::from(got.low & 255);
                 let quotient = known + ((exact / area - known + (1 << 39)) >> 40 << 40);
-                // Half a step and 2^-6 for the rounding, 2^-26 of the value for the reciprocal.
+                // Half a step for the rounding, 2^-30 of the value for the reciprocal.
                 let error = (quotient * area - exact).abs();
                 assert!(
-                    error <= area / 2 + area / 64 + (exact.abs() >> 26) + 1,
+                    error <= area / 2 + (exact.abs() >> 30) + 1,
                     "{points:?} {d1} {d2}: {got:?}, {numerator} / {area}"
                 );
                 assert_eq!(got.low >> 8, got.over_256 << 8 >> 8, "{got:?}");

@@ -12,7 +12,7 @@ use crate::snapped::{Snapped, first_centre};
 pub struct BoxWalk;
 
 impl Traversal for BoxWalk {
-    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl DrawSpan<E>) -> Result<(), E> {
+    fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
         let [a, b, c] = setup.points();
         // Clockwise as seen, so that all three are positive inside.
         let (b, c) = if setup.area2() > 0 { (b, c) } else { (c, b) };
@@ -43,7 +43,7 @@ impl Traversal for BoxWalk {
                 }
             }
             if span.start < span.end {
-                draw.draw(span)?;
+                target.draw(span)?;
             }
             for edge in &mut edges {
                 edge.value = edge.value.wrapping_add(edge.dx);

@@ -41,11 +41,32 @@ pub struct Window {
 
 /// How a triangle's pixels are found. A type parameter: only the walk that is used is linked.
 pub trait Traversal {
-    /// Hands each span of the triangle inside the window to `draw`, from the top down, until it fails.
+    /// Hands each span of the triangle inside the window to `target`, from the top down, until it fails.
+    ///
+    /// # Errors
+    /// What `target` returned.
+    fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E>;
+
+    /// The same with a function.
+    ///
+    /// ```
+    /// use topleft::Spans;
+    /// use topleft::stages::{Setup, Snapped, Span, Traversal, Window};
+    ///
+    /// let at = |x, y| Snapped::from_bits(x * 256, y * 256);
+    /// let (setup, _) = Setup::new([at(0, 0), at(4, 0), at(0, 2)]).unwrap();
+    /// let mut spans = Vec::new();
+    /// let window = Window { columns: 0..8, rows: 0..8 };
+    /// let Ok(()) = Spans::walk::<core::convert::Infallible>(&setup, &window, |span| Ok(spans.push(span)));
+    /// assert_eq!(spans, [Span { y: 0, start: 0, end: 3 }, Span { y: 1, start: 0, end: 1 }]);
+    /// ```
     ///
     /// # Errors
     /// What `draw` returned.
-    fn walk<E>(setup: &Setup, window: &Window, draw: impl DrawSpan<E>) -> Result<(), E>;
+    #[inline]
+    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+        Self::spans(setup, window, &mut draw)
+    }
 }
 
 /// What is done with each span: any function of one, or the stages that follow.

@@ -17,11 +17,11 @@ pub struct Spans;
 
 impl Traversal for Spans {
     #[inline]
-    fn walk<E>(setup: &Setup, window: &Window, mut draw: impl DrawSpan<E>) -> Result<(), E> {
+    fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
         if ShortEdge::suits(setup, &window.columns) {
-            halves::<ShortEdge, E>(setup, window, &mut draw)
+            halves::<ShortEdge, E>(setup, window, target)
         } else {
-            halves::<Dda, E>(setup, window, &mut draw)
+            halves::<Dda, E>(setup, window, target)
         }
     }
 }
@@ -31,7 +31,7 @@ impl Traversal for Spans {
 fn halves<S: Edge, E>(
     setup: &Setup,
     window: &Window,
-    draw: &mut impl DrawSpan<E>,
+    target: &mut impl DrawSpan<E>,
 ) -> Result<(), E> {
     let [top, middle, bottom] = setup.points();
     let rows = setup.rows();
@@ -46,14 +46,14 @@ fn halves<S: Edge, E>(
     if y < turn {
         let short = S::new(top, middle, y);
         let (left, right) = if middle_is_right { (long, short) } else { (short, long) };
-        let ends = rows_between(left, right, y..turn, &window.columns, draw)?;
+        let ends = rows_between(left, right, y..turn, &window.columns, target)?;
         long = if middle_is_right { ends.0 } else { ends.1 };
         y = turn;
     }
     if y < end {
         let short = S::new(middle, bottom, y);
         let (left, right) = if middle_is_right { (long, short) } else { (short, long) };
-        rows_between(left, right, y..end, &window.columns, draw)?;
+        rows_between(left, right, y..end, &window.columns, target)?;
     }
     Ok(())
 }
@@ -65,7 +65,7 @@ fn rows_between<S: Edge, E>(
     mut right: S,
     rows: Range<i32>,
     columns: &Range<i32>,
-    draw: &mut impl DrawSpan<E>,
+    target: &mut impl DrawSpan<E>,
 ) -> Result<(S, S), E> {
     let Range { start: mut y, end: stop } = rows;
     while y < stop {
@@ -74,7 +74,7 @@ fn rows_between<S: Edge, E>(
             (span.start, span.end) = (span.start.max(columns.start), span.end.min(columns.end));
         }
         if span.start < span.end {
-            draw.draw(span)?;
+            target.draw(span)?;
         }
         left.step();
         right.step();

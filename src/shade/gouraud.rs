@@ -5,7 +5,7 @@ use super::{PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
-use crate::pixel::Pixel;
+use crate::pixel::{Pixel, Stepped};
 use crate::pose::Pose;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
@@ -99,10 +99,10 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
 
     #[inline(always)]
     fn shade<D: Depth>(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: Run<'_, P, D>) {
-        let (mut colour, step) = (P::stepped(start), P::stepped(*step));
+        let (mut colour, step) = (P::Stepped::new(start), P::Stepped::new(*step));
         for pixel in run.pixels() {
-            pixel.shade(|| P::from_stepped(colour));
-            colour = P::step(colour, step);
+            pixel.shade(|| colour.colour());
+            colour = colour.plus(step);
         }
     }
 }

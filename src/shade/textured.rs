@@ -132,7 +132,10 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         step: &C::Varying,
         run: Run<'_, P, D>,
     ) {
-        self.walk(triangle, start, step, run.pixels(), |pixel, texel| pixel.shade(|| P::from_texel(texel)));
+        run.visible(|skipped, pixels| {
+            let start = start.plus(step.times(skipped));
+            self.walk(triangle, start, step, pixels.iter_mut(), |pixel, texel| *pixel = P::from_texel(texel));
+        });
     }
 }
 
@@ -199,12 +202,14 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         step: &(C::Varying, Attribute),
         run: Run<'_, P, D>,
     ) {
-        let mut light = start.1;
-        self.0.walk(triangle, start.0, &step.0, run.pixels(), |pixel, texel| {
-            // Interpolation may leave the range by less than the half that rounds.
-            let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
-            pixel.shade(|| P::lit_texel(texel, steps));
-            light = light.plus(step.1);
+        run.visible(|skipped, pixels| {
+            let (start, mut light) = start.plus(step.times(skipped));
+            self.0.walk(triangle, start, &step.0, pixels.iter_mut(), |pixel, texel| {
+                // Interpolation may leave the range by less than the half that rounds.
+                let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
+                *pixel = P::lit_texel(texel, steps);
+                light = light.plus(step.1);
+            });
         });
     }
 }

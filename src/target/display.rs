@@ -75,7 +75,7 @@ impl<'a, P: Pixel, S: PixelShader<'a, P>> Iterator for Colours<'_, 'a, P, S> {
             let Span { y, start, end } = self.rest;
             self.length = CHUNK.min(end - start).max(0) as usize;
             let colours = self.chunk.get_mut(..self.length).filter(|colours| !colours.is_empty())?;
-            self.shading.shade(start, y, Run::<P, NoDepth> { colours, depths: (), depth: (), step: () });
+            self.shading.shade(start, y, Run::new(colours));
             self.rest.start += self.length as i32;
             self.within = 0;
         }

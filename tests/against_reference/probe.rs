@@ -5,9 +5,9 @@ use reference::matrix::Matrix;
 use reference::setup::Triangle;
 use reference::varying::linear;
 use topleft::stages::{
-    PerVertexInverse, PixelShader, Setup, Shader, Snapped, Span, Traversal, Uniforms, Window,
+    PerVertexInverse, PixelShader, Run, Setup, Shader, Snapped, Span, Traversal, Uniforms, Window,
 };
-use topleft::{Attribute, Length, MatrixCamera, Mesh, Pixel, Pose, Spans};
+use topleft::{Attribute, Depth, Length, MatrixCamera, Mesh, Pixel, Pose, Spans};
 
 use crate::random::Random;
 
@@ -122,6 +122,7 @@ pub(crate) const UNSEEN: Seen = Seen { face: [0; 3], values: [0; 3] };
 
 impl Pixel for Seen {
     const MAX: [u8; 3] = [255; 3];
+    type Stepped = [Attribute; 3];
 
     fn from_channels(face: [u8; 3]) -> Self {
         Self { face, ..UNSEEN }
@@ -195,10 +196,16 @@ impl<'a> PixelShader<'a, Seen> for ProbePixel {
         (face, vertices.map(|([a, b], c)| [a, b, c]))
     }
 
-    fn shade(&self, &face: &[u8; 3], start: [Attribute; 3], step: &[Attribute; 3], run: &mut [Seen]) {
+    fn shade<D: Depth>(
+        &self,
+        &face: &[u8; 3],
+        start: [Attribute; 3],
+        step: &[Attribute; 3],
+        run: Run<'_, Seen, D>,
+    ) {
         let (mut bits, step) = (start.map(Attribute::to_bits), step.map(Attribute::to_bits));
-        for cell in run {
-            *cell = Seen { face, values: bits };
+        for place in run.pixels() {
+            place.shade(|| Seen { face, values: bits });
             for (value, step) in bits.iter_mut().zip(step) {
                 *value = value.wrapping_add(step);
             }

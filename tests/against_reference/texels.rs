@@ -3,7 +3,7 @@
 use reference::setup::{Triangle, area2};
 use reference::transform::inverse_word;
 use reference::varying::{linear, perspective};
-use topleft::stages::{Correction, PerVertexInverse, PixelShader, Varying, Words};
+use topleft::stages::{Correction, PerVertexInverse, PixelShader, Run, Varying, Words};
 use topleft::{
     Affine, Attribute, Cull, DrawList, ListTriangle, Mesh, NoDepth, PerPixel, Pose, Strip, Texture, Textured,
 };
@@ -256,7 +256,7 @@ fn a_texture_is_fetched_where_the_correction_says() {
     for span in &covered.spans {
         let start: <PerPixel as Correction>::Varying = plane.at(span.start - ax, span.y - ay);
         let mut run = vec![0_u16; (span.end - span.start) as usize];
-        shader.shade(&shared, start, &plane.dx, &mut run);
+        shader.shade(&shared, start, &plane.dx, Run::new(&mut run));
         let mut wanted = Vec::new();
         PerPixel.walk(&shared, start, &plane.dx, 0..run.len(), |_, u, v| wanted.push(texture.texel(u, v)));
         assert_eq!(run, wanted);

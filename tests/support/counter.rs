@@ -2,8 +2,8 @@
 
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use topleft::stages::{PerVertexInverse, PixelShader, Shader, Traversal, Uniforms};
-use topleft::{Camera, Cull, DrawList, ListTriangle, Mesh, NoDepth, Pixel as Cell, Pose, Spans, Strip};
+use topleft::stages::{PerVertexInverse, PixelShader, Run, Shader, Traversal, Uniforms};
+use topleft::{Attribute, Camera, Cull, Depth, DrawList, ListTriangle, Mesh, NoDepth, Pixel as Cell, Pose, Spans, Strip};
 
 /// A cell of a strip that adds up what hits it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -11,6 +11,7 @@ pub(crate) struct Hits(pub(crate) i32);
 
 impl Cell for Hits {
     const MAX: [u8; 3] = [0; 3];
+    type Stepped = [Attribute; 3];
 
     fn from_channels(_: [u8; 3]) -> Self {
         Self(0)
@@ -64,9 +65,9 @@ impl<'a> PixelShader<'a, Hits> for Add {
         ((), [(); 3])
     }
 
-    fn shade(&self, (): &(), (): (), (): &(), run: &mut [Hits]) {
-        for cell in run {
-            cell.0 += self.0;
+    fn shade<D: Depth>(&self, (): &(), (): (), (): &(), run: Run<'_, Hits, D>) {
+        for place in run.pixels() {
+            place.blend(|cell| cell.0 += self.0);
         }
     }
 }

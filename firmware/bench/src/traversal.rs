@@ -4,16 +4,16 @@ use core::hint::black_box;
 use core::sync::atomic::{AtomicU32, Ordering};
 
 use topleft::Spans;
-use topleft::stages::{DrawSpan, Setup, Span, Traversal, Window};
+use topleft::stages::{DrawSpan, Setup, Traversal, Window};
 
 /// Walks nothing: what is left is taking triangles from the list and making their planes.
 #[derive(Debug)]
 pub(crate) enum Nothing {}
 
 impl Traversal for Nothing {
-    fn walk<E>(setup: &Setup, window: &Window, draw: impl DrawSpan<E>) -> Result<(), E> {
+    fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
         // The compiler has to believe that all of it is used.
-        black_box((setup, window, &draw));
+        black_box((setup, window, &target));
         Ok(())
     }
 }
@@ -34,8 +34,8 @@ impl Counting {
 }
 
 impl Traversal for Counting {
-    fn walk<E>(setup: &Setup, window: &Window, _: impl DrawSpan<E>) -> Result<(), E> {
-        Spans::walk(setup, window, |span: Span| {
+    fn spans<E>(setup: &Setup, window: &Window, _: &mut impl DrawSpan<E>) -> Result<(), E> {
+        Spans::walk(setup, window, |span| {
             // One core, and no interrupt counts: the chip needs no atomic addition.
             let count = COUNT.load(Ordering::Relaxed);
             COUNT.store(count + span.end.abs_diff(span.start), Ordering::Relaxed);
