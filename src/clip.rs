@@ -27,8 +27,11 @@ pub(crate) struct Outcode(pub(crate) u8);
 impl Outcode {
     #[inline]
     pub(crate) fn new(at: &Position, projection: &Projection) -> Self {
+        let mut code = u8::from(at.z < 0) | u8::from(at.w < at.z) << 1;
+        if projection.surely_inside(at) {
+            return Self(code);
+        }
         let distances = distances(at, projection);
-        let mut code = 0;
         for (plane, distance) in distances.into_iter().enumerate() {
             code |= u8::from(distance < 0) << plane;
         }

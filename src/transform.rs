@@ -10,6 +10,7 @@
 use crate::attributes::Words;
 use crate::camera::Camera;
 use crate::math::format::{Clip, SUBPIXEL_BITS};
+use crate::math::product;
 use crate::math::recip::{self, Reciprocal};
 use crate::mesh::Mesh;
 use crate::pose::Pose;
@@ -70,7 +71,8 @@ impl Transform {
     /// A vertex of the mesh in clip space.
     #[inline]
     pub(crate) fn position(&self, vertex: [i16; 3]) -> Position {
-        let [px, py, pz] = vertex.map(i32::from);
+        let [px, py, pz] = vertex;
+        let (px, py, pz) = (i32::from(px), i32::from(py), i32::from(pz));
         let [x, y, z, w] = &self.rows;
         let row = |[a, b, c, t]: &[i32; 4]| {
             high_product(*a, px)
@@ -125,6 +127,8 @@ pub(crate) struct Projection {
     centre: [Clip; 2],
     /// x = w is this power of two of pixels from the centre.
     pub(crate) reach_log2: u32,
+    /// Whether the guard rectangle reaches as far, on all sides.
+    roomy: bool,
 }
 
 /// 1/w of a vertex as a small float: 26 bits or 27, shifted right by the last 5. All vertices of a mesh share its unit.
@@ -175,17 +179,32 @@ impl Projection {
     pub(crate) fn centred(viewport: Viewport) -> Self {
         let centre = [viewport.width(), viewport.height()].map(|length| length << (SUBPIXEL_BITS - 1));
         let longest = viewport.width().max(viewport.height()).max(2).unsigned_abs();
-        Self { viewport, centre, reach_log2: longest.next_power_of_two().ilog2() - 1 }
+        let reach_log2 = longest.next_power_of_two().ilog2() - 1;
+        let reach = 1 << (reach_log2 + SUBPIXEL_BITS);
+        let beyond = |length: i32, centre: i32| {
+            let (low, high) = viewport.guard(length);
+            centre - low >= reach && high - centre >= reach
+        };
+        let [x, y] = centre;
+        let roomy = beyond(viewport.width(), x) && beyond(viewport.height(), y);
+        Self { viewport, centre, reach_log2, roomy }
     }
 
     /// For flat drawings: x and y are pixels, w is one.
     pub(crate) fn of_pixels(viewport: Viewport) -> Self {
-        Self { viewport, centre: [0, 0], reach_log2: 0 }
+        Self { viewport, centre: [0, 0], reach_log2: 0, roomy: false }
     }
 
     /// Twice the distance from the centre to the viewport's edges, in pixels.
     fn view_halves(&self) -> (i64, i64) {
         (i64::from(self.viewport.width()), i64::from(self.viewport.height()))
+    }
+
+    /// Whether a position is easily seen to be inside the guard rectangle: most are.
+    #[inline]
+    pub(crate) fn surely_inside(&self, at: &Position) -> bool {
+        let w = at.w.max(-1);
+        self.roomy && -w <= at.x && at.x <= w && -w <= at.y && at.y <= w
     }
 
     /// Distances to the four sides of the guard rectangle, left, right, top and bottom, in 1/256 of the reach:
@@ -215,7 +234,7 @@ impl Projection {
     pub(crate) fn nearness(at: &Position, inverse: Reciprocal) -> u32 {
         let w_minus_z = at.w.wrapping_sub(at.z).max(0).unsigned_abs();
         // 1 / w = mantissa 2^(shift - 62): w has as many leading zeros as `shift`, so nothing is lost on the left.
-        let product = (u64::from(w_minus_z) * u64::from(inverse.mantissa)) << inverse.shift;
+        let product = product::unsigned(w_minus_z, inverse.mantissa) << inverse.shift;
         (product >> 30).min(u64::from(u32::MAX)) as u32
     }
 
@@ -226,7 +245,8 @@ impl Projection {
         // x / w = x * mantissa * 2^(shift - 62), in steps of 2^-8 of a pixel, times the reach.
         let down = 62 - SUBPIXEL_BITS - self.reach_log2 - inverse.shift;
         let snap = |c: Clip| {
-            let product = i64::from(c) * i64::from(inverse.mantissa);
+            let size = product::unsigned(c.unsigned_abs(), inverse.mantissa).cast_signed();
+            let product = if c < 0 { -size } else { size };
             ((product + (1 << (down - 1))) >> down) as i32
         };
         let (left, right) = self.viewport.guard(self.viewport.width());

@@ -8,6 +8,7 @@ use crate::attributes::Words;
 use crate::camera::Camera;
 use crate::clip::{ClipVertex, Outcode, Polygon, clip, from_least};
 use crate::depth::Depth;
+use crate::math::format::Coord;
 use crate::math::recip::Reciprocal;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
@@ -63,8 +64,11 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
         for (face, corners) in mesh.faces().iter().enumerate() {
-            let vertices = corners.map(|corner| first + usize::from(corner));
-            match seen(vertices.map(|vertex| self.header(drawing.word(vertex)))) {
+            let [a, b, c] = *corners;
+            let vertices = [first + usize::from(a), first + usize::from(b), first + usize::from(c)];
+            let [a, b, c] = vertices;
+            let header = |vertex| self.header(drawing.word(vertex));
+            match seen(header(a), header(b), header(c)) {
                 Seen::Outside => self.stats.outside += 1,
                 Seen::Whole(points) => self.face(&drawing, face, vertices, points, &mut left_out),
                 Seen::Crossing(planes) => {
@@ -133,8 +137,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             return;
         }
         let [width, height] = self.size;
-        let (left, right) = centres(points.map(|p| p.x.to_bits()), width);
-        let (top, bottom) = centres(points.map(|p| p.y.to_bits()), height);
+        let (left, right) = centres(a.x, b.x, c.x, width);
+        let (top, bottom) = centres(a.y, b.y, c.y, height);
         if left == right || top == bottom {
             self.stats.outside += 1;
             return;
@@ -189,9 +193,10 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
 }
 
 /// The first row or column with a centre in a triangle, and the one after the last, inside the viewport.
-fn centres(ends: [i32; 3], length: i32) -> (u16, u16) {
-    let [a, b, c] = ends.map(first_centre);
-    let inside = |centre: i32| centre.max(0).min(length) as u16;
+#[inline]
+fn centres(a: Coord, b: Coord, c: Coord, length: i32) -> (u16, u16) {
+    let (a, b, c) = (a.to_bits(), b.to_bits(), c.to_bits());
+    let inside = |coordinate: i32| first_centre(coordinate).max(0).min(length) as u16;
     (inside(a.min(b).min(c)), inside(a.max(b).max(c)))
 }
 
@@ -221,15 +226,17 @@ enum Seen {
     Crossing(Outcode),
 }
 
-fn seen(headers: [[u32; 2]; 3]) -> Seen {
-    let codes = headers.map(|[x, planes]| if x == UNSEEN { planes as u8 } else { 0 });
-    let [a, b, c] = codes;
-    if a & b & c != 0 {
+#[inline]
+fn seen(a: [u32; 2], b: [u32; 2], c: [u32; 2]) -> Seen {
+    let planes = |[x, planes]: [u32; 2]| if x == UNSEEN { planes as u8 } else { 0 };
+    let (p, q, r) = (planes(a), planes(b), planes(c));
+    if p & q & r != 0 {
         Seen::Outside
-    } else if a | b | c == 0 {
-        Seen::Whole(headers.map(|[x, y]| Snapped::from_bits(x.cast_signed(), y.cast_signed())))
+    } else if p | q | r == 0 {
+        let point = |[x, y]: [u32; 2]| Snapped::from_bits(x.cast_signed(), y.cast_signed());
+        Seen::Whole([point(a), point(b), point(c)])
     } else {
-        Seen::Crossing(Outcode(a | b | c))
+        Seen::Crossing(Outcode(p | q | r))
     }
 }
 

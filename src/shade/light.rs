@@ -160,6 +160,26 @@ impl Material {
 
 /// A colour under light, rounded to nearest.
 pub(crate) fn lit([r, g, b]: [u8; 3], light: Light) -> [u8; 3] {
-    let channel = |c: u8| ((u32::from(c) * light + (FULL as u32 / 2)) / FULL as u32) as u8;
+    let channel = |c: u8| over_full(u32::from(c) * light + (FULL as u32 / 2)) as u8;
     [channel(r), channel(g), channel(b)]
+}
+
+/// `x / FULL`, for what a colour under light can be: `1 / (2^16 - 2^8)` is `2^-16 + 2^-24 + 2^-32` and
+/// little more.
+const fn over_full(x: u32) -> u32 {
+    (x + (x >> 8) + (x >> 16) + 1) >> 16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red without one of the four.
+    #[test]
+    fn all_light_on_all_colours_is_rounded_to_nearest() {
+        let full = FULL.unsigned_abs();
+        for x in 0..=255 * full + full / 2 {
+            assert_eq!(over_full(x), x / full, "{x}");
+        }
+    }
 }
