@@ -24,6 +24,10 @@ pub trait Depth {
     #[doc(hidden)]
     type Cells<'p>: Iterator<Item = Self::Cell<'p>>;
 
+    /// Whether nothing hides anything.
+    #[doc(hidden)]
+    const ALWAYS_VISIBLE: bool = false;
+
     /// From `1 - z / w`, in 32 fraction bits.
     #[doc(hidden)]
     fn vertex(nearness: impl FnOnce() -> u32) -> Self::Vertex;
@@ -68,6 +72,7 @@ pub struct NoDepth;
 pub struct Depth16;
 
 impl Depth for NoDepth {
+    const ALWAYS_VISIBLE: bool = true;
     type Vertex = ();
     type Varying = ();
     type Plane<'p> = ();

@@ -52,6 +52,28 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
         self.colours.is_empty()
     }
 
+    /// Gives all visible pixels one colour.
+    #[inline(always)]
+    pub fn fill(self, colour: P)
+    where
+        P: Copy,
+    {
+        if D::ALWAYS_VISIBLE {
+            // Written out for a small core; for size, a loop stays a loop.
+            let (fours, rest) = self.colours.as_chunks_mut::<4>();
+            for [a, b, c, d] in fours {
+                (*a, *b, *c, *d) = (colour, colour, colour, colour);
+            }
+            for pixel in rest {
+                *pixel = colour;
+            }
+        } else {
+            for place in self.pixels() {
+                place.shade(|| colour);
+            }
+        }
+    }
+
     /// Calls `shade` with each run of visible pixels, and how far from the first of all it starts: for what costs more
     /// than a test a pixel.
     #[inline(always)]

@@ -18,67 +18,80 @@ pub struct Spans;
 impl Traversal for Spans {
     #[inline]
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
+        match Sides::new(setup, window) {
+            Sides::Short(trapezoids) => trapezoids.rows(&window.columns, target),
+            Sides::Long(trapezoids) => trapezoids.rows(&window.columns, target),
+        }
+    }
+}
+
+/// A triangle's edges. Whatever is drawn between them, this is linked once.
+enum Sides {
+    Short(Trapezoids<ShortEdge>),
+    Long(Trapezoids<Dda>),
+}
+
+impl Sides {
+    #[inline(never)]
+    fn new(setup: &Setup, window: &Window) -> Self {
         if ShortEdge::suits(setup, &window.columns) {
-            halves::<ShortEdge, E>(setup, window, target)
+            Self::Short(Trapezoids::new(setup, &window.rows))
         } else {
-            halves::<Dda, E>(setup, window, target)
+            Self::Long(Trapezoids::new(setup, &window.rows))
         }
     }
 }
 
-/// The long edge faces the upper short edge first and then the lower one.
-#[inline]
-fn halves<S: Edge, E>(
-    setup: &Setup,
-    window: &Window,
-    target: &mut impl DrawSpan<E>,
-) -> Result<(), E> {
-    let [top, middle, bottom] = setup.points();
-    let rows = setup.rows();
-    let mut y = rows.start.max(window.rows.start);
-    let end = rows.end.min(window.rows.end);
-    if y >= end {
-        return Ok(());
-    }
-    let turn = first_centre(middle.y.to_bits()).min(end);
-    let middle_is_right = setup.area2() > 0;
-    let mut long = S::new(top, bottom, y);
-    if y < turn {
-        let short = S::new(top, middle, y);
-        let (left, right) = if middle_is_right { (long, short) } else { (short, long) };
-        let ends = rows_between(left, right, y..turn, &window.columns, target)?;
-        long = if middle_is_right { ends.0 } else { ends.1 };
-        y = turn;
-    }
-    if y < end {
-        let short = S::new(middle, bottom, y);
-        let (left, right) = if middle_is_right { (long, short) } else { (short, long) };
-        rows_between(left, right, y..end, &window.columns, target)?;
-    }
-    Ok(())
+/// A triangle as two trapezoids: the long edge faces the upper short edge first and then the lower one.
+struct Trapezoids<S> {
+    /// The first row, the first of the lower trapezoid, and the one after the last.
+    top: i32,
+    turn: i32,
+    bottom: i32,
+    left: S,
+    right: S,
+    /// The lower short edge, and its side.
+    lower: S,
+    lower_is_right: bool,
 }
 
-/// The rows between two edges; where the edges are after them.
-#[inline(never)]
-fn rows_between<S: Edge, E>(
-    mut left: S,
-    mut right: S,
-    rows: Range<i32>,
-    columns: &Range<i32>,
-    target: &mut impl DrawSpan<E>,
-) -> Result<(S, S), E> {
-    let Range { start: mut y, end: stop } = rows;
-    while y < stop {
-        let mut span = Span { y, start: left.column(), end: right.column() };
-        if !S::INSIDE {
-            (span.start, span.end) = (span.start.max(columns.start), span.end.min(columns.end));
-        }
-        if span.start < span.end {
-            target.draw(span)?;
-        }
-        left.step();
-        right.step();
-        y += 1;
+impl<S: Edge> Trapezoids<S> {
+    #[inline]
+    fn new(setup: &Setup, rows: &Range<i32>) -> Self {
+        let [a, b, c] = setup.points();
+        let extent = setup.rows();
+        let (top, bottom) = (extent.start.max(rows.start), extent.end.min(rows.end));
+        let turn = first_centre(b.y.to_bits()).max(top).min(bottom);
+        let long = S::new(a, c, top);
+        let upper = if top < turn { S::new(a, b, top) } else { long };
+        let lower = if turn < bottom { S::new(b, c, turn) } else { upper };
+        let lower_is_right = setup.area2() > 0;
+        let (left, right) = if lower_is_right { (long, upper) } else { (upper, long) };
+        Self { top, turn, bottom, left, right, lower, lower_is_right }
     }
-    Ok((left, right))
+
+    #[inline(never)]
+    fn rows<E>(self, columns: &Range<i32>, target: &mut impl DrawSpan<E>) -> Result<(), E> {
+        let Self { top: mut y, turn, bottom, mut left, mut right, lower, lower_is_right } = self;
+        let mut stop = turn;
+        loop {
+            while y < stop {
+                let (mut start, mut end) = (left.column(), right.column());
+                if !S::INSIDE {
+                    (start, end) = (start.max(columns.start), end.min(columns.end));
+                }
+                if start < end {
+                    target.draw(Span { y, start, end })?;
+                }
+                left.step();
+                right.step();
+                y += 1;
+            }
+            if stop >= bottom {
+                return Ok(());
+            }
+            *(if lower_is_right { &mut right } else { &mut left }) = lower;
+            stop = bottom;
+        }
+    }
 }

@@ -87,9 +87,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
 
     #[inline(always)]
     fn shade<D: Depth>(&self, colour: &P, (): (), (): &(), run: Run<'_, P, D>) {
-        for pixel in run.pixels() {
-            pixel.shade(|| *colour);
-        }
+        run.fill(*colour);
     }
 
     fn solid(&self, colour: &P) -> Option<P> {
