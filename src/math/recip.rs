@@ -6,7 +6,7 @@
 //!
 //! | function | for | relative error | steps |
 //! |---|---|---|---|
-//! | [`Pixel`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
+//! | [`normalised`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
 //! | [`vertex`] | perspective divide, once a vertex | -2^-27.9 | and one Newton step |
 //! | [`area`] | gradients, once a triangle | ±2^-30 | and one more |
 //!
@@ -15,17 +15,22 @@
 
 use super::product;
 
-/// `round(2^16 / (1 + i / 64)) - 2^15`, so that the first entry fits too.
-const TABLE: [u16; 65] = {
-    let mut table = [0; 65];
+/// `round(2^16 / (1 + i / 64))` in the 17 lowest bits of a word, and above them how much less the next one is.
+static TABLE: [u32; 64] = {
+    let mut table = [0; 64];
     let mut i = 0;
     while i < table.len() {
         let denominator = 64 + i as u32;
-        table[i] = (((64 << 17) / denominator).div_ceil(2) - 32_768) as u16;
+        let entry = ((64 << 17) / denominator).div_ceil(2);
+        let next = ((64 << 17) / (denominator + 1)).div_ceil(2);
+        table[i] = (entry - next) << ENTRY_BITS | entry;
         i += 1;
     }
     table
 };
+
+/// Bits of an entry of the table, which is 2^16 at most.
+const ENTRY_BITS: u32 = 17;
 
 /// A reciprocal with its power of two: see each function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,43 +43,26 @@ pub(crate) struct Reciprocal {
 
 /// `2^47 / x` for `x` in [2^31, 2^32), in [2^15, 2^16]: the table and linear interpolation.
 #[inline(always)]
-fn seed(normalised: u32) -> u32 {
-    let index = (normalised >> 25 & 63) as usize;
-    let fraction = normalised >> 9 & 0xFFFF;
-    // `index` is below 64: these are for the compiler, which then needs no panic path.
-    let low = TABLE.get(index).copied().unwrap_or_default() as u32;
-    let high = TABLE.get(index + 1).copied().unwrap_or_default() as u32;
-    low + 32_768 - (((low - high) * fraction + 0x8000) >> 16)
+pub(crate) fn normalised(x: u32) -> u32 {
+    let fraction = x >> 9 & 0xFFFF;
+    // The index is below 64: this is for the compiler, which then needs no panic path.
+    let word = TABLE.get((x >> 25 & 63) as usize).copied().unwrap_or_default();
+    (word & ((1 << ENTRY_BITS) - 1)) - (((word >> ENTRY_BITS) * fraction + 0x8000) >> 16)
 }
 
-/// Reciprocals of numbers that change little from one to the next: the shift that normalises the last is tried first,
-/// which is cheaper than counting zeros on a core that cannot.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pixel {
-    /// The leading zeros of the last number.
-    pub(crate) shift: u32,
-}
-
-impl Pixel {
-    /// For a run of numbers of which a triangle's greatest has one leading zero: most have few.
-    #[inline(always)]
-    pub(crate) const fn new() -> Self {
-        Self { shift: 1 }
+/// The leading zeros of a number that is not 0, sought from those of the number before: where numbers change little, that
+/// is cheaper than counting on a core that cannot.
+#[inline(always)]
+pub(crate) fn normalising(q: u32, mut shift: u32) -> u32 {
+    // Both loops end: a number that is not 0 has at most 31 leading zeros.
+    let q = q.max(1);
+    while q >> 1 >> (31 - shift) != 0 {
+        shift -= 1;
     }
-
-    /// `2^47 / (q << shift)` in [2^15, 2^16], with the shift that normalises `q` from now on. A zero counts as one.
-    #[inline(always)]
-    pub(crate) fn of(&mut self, q: u32) -> u32 {
-        let q = q.max(1);
-        // Both loops end: a number that is not 0 has at most 31 leading zeros.
-        while q >> 1 >> (31 - self.shift) != 0 {
-            self.shift -= 1;
-        }
-        while q << self.shift >> 31 == 0 {
-            self.shift += 1;
-        }
-        seed(q << self.shift)
+    while q << shift >> 31 == 0 {
+        shift += 1;
     }
+    shift
 }
 
 /// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
@@ -88,7 +76,7 @@ pub(crate) fn vertex(w: u32) -> Reciprocal {
 /// The reciprocal of a number whose highest bit is set, by one Newton step from the table.
 #[inline(always)]
 fn newton(normalised: u32) -> u32 {
-    let seed = seed(normalised);
+    let seed = self::normalised(normalised);
     // r' = r (2 - x r), with x r in 47 fraction bits: 2 - x r is about 1, and has 31 of them left.
     let complement = ((2 << 47) - product::unsigned(normalised, seed)) >> 16;
     (product::unsigned(seed, complement as u32) >> 16) as u32
@@ -145,12 +133,11 @@ mod tests {
         knots.chain(walk)
     }
 
+    // Red when the table or the interpolation is not rounded to nearest, or an entry's difference is another's.
     #[test]
-    fn pixel_is_within_the_chord_and_a_step() {
+    fn normalised_is_within_the_chord_and_a_step() {
         for x in inputs() {
-            let mut pixel = Pixel::new();
-            let r = pixel.of(x);
-            assert_eq!(pixel.shift, 0);
+            let r = normalised(x);
             // x r = 2^47 (1 + e). The entries and the interpolation are each rounded by half a step of r; the chord
             // lies up to 2^-14 above.
             let product = u64::from(x) * u64::from(r);
@@ -159,14 +146,14 @@ mod tests {
         }
     }
 
+    // Red when either loop stops a bit early.
     #[test]
     fn the_shift_follows_any_number() {
-        let mut following = Pixel::new();
+        let mut following = 1;
         for (i, x) in inputs().enumerate() {
             let q = x >> (i * 7 % 33).min(31);
-            let fresh = Pixel { shift: q.max(1).leading_zeros() }.of(q);
-            assert_eq!(following.of(q), fresh, "{q:#x}");
-            assert_eq!(following.shift, q.max(1).leading_zeros(), "{q:#x}");
+            following = normalising(q, following);
+            assert_eq!(following, q.max(1).leading_zeros(), "{q:#x}");
         }
     }
 
