@@ -12,8 +12,16 @@ pub trait Sampler<T> {
 
     /// Shows texels that step from pixel to pixel, with 16 fraction bits.
     #[doc(hidden)]
-    fn steps(&mut self, run: &mut [T], start: &[i32; 2], step: &[i32; 2]) {
+    #[inline(always)]
+    fn steps(&mut self, run: &mut [T], start: [i32; 2], step: [i32; 2]) {
         steps(run, start, step, |pixel, column, row| self.show(pixel, column, row));
+    }
+
+    /// The same as a function of its own, for short runs.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn subspan(&mut self, run: &mut [T], start: [i32; 2], step: [i32; 2]) {
+        self.steps(run, start, step);
     }
 }
 
@@ -24,10 +32,17 @@ impl<T, F: FnMut(&mut T, i32, i32)> Sampler<T> for F {
     }
 }
 
+/// Steps from pixel to pixel.
 #[inline(always)]
-fn steps<T>(run: &mut [T], start: &[i32; 2], step: &[i32; 2], mut show: impl FnMut(&mut T, i32, i32)) {
-    let ([mut u, mut v], [du, dv]) = (*start, *step);
+fn steps<T>(
+    run: &mut [T],
+    [mut u, mut v]: [i32; 2],
+    [du, dv]: [i32; 2],
+    mut show: impl FnMut(&mut T, i32, i32),
+) {
     for pixel in run {
+        // Keeps the loop as it is: unrolled, it needs twice the registers of a small core, and is slower.
+        core::hint::black_box(());
         show(pixel, u >> 16, v >> 16);
         u = u.wrapping_add(du);
         v = v.wrapping_add(dv);
@@ -75,8 +90,8 @@ impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
         self.paint.paint(pixel, self.texture.texel(column, row));
     }
 
-    #[inline(never)]
-    fn steps(&mut self, run: &mut [P], start: &[i32; 2], step: &[i32; 2]) {
+    #[inline(always)]
+    fn steps(&mut self, run: &mut [P], start: [i32; 2], step: [i32; 2]) {
         let Self { texture, paint } = self;
         match texture.wrap() {
             Wrap::Repeat => {

@@ -44,6 +44,6 @@ impl Correction for Affine {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     ) {
-        sampler.steps(run, &start.map(Attribute::to_bits), &step.map(Attribute::to_bits));
+        sampler.steps(run, start.map(Attribute::to_bits), step.map(Attribute::to_bits));
     }
 }

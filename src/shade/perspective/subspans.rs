@@ -104,7 +104,7 @@ pub(super) fn subspans<T>(
     loop {
         let (pixels, start, step) = ends.next(texel_box, run.len());
         let Some((now, later)) = run.split_at_mut_checked(pixels) else { return };
-        sampler.steps(now, &start, &step);
+        sampler.subspan(now, start, step);
         if later.is_empty() {
             return;
         }

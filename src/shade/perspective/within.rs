@@ -120,7 +120,7 @@ impl Correction for Within {
     ) {
         let Chosen { texel_box, way } = triangle;
         match *way {
-            Way::Affine => sampler.steps(run, &start.texel, &step.texel),
+            Way::Affine => sampler.steps(run, start.texel, step.texel),
             Way::Subspans(between) => bent(texel_box, between, start, step, run, sampler),
         }
     }
