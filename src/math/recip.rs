@@ -50,6 +50,12 @@ pub(crate) fn normalised(x: u32) -> u32 {
     (word & ((1 << ENTRY_BITS) - 1)) - (((word >> ENTRY_BITS) * fraction + 0x8000) >> 16)
 }
 
+/// `part / x` in 31 fraction bits, from the reciprocal of an x normalised to 32 bits and a part of it to 31.
+#[inline(always)]
+pub(crate) fn quotient(part: u32, reciprocal: u32) -> u32 {
+    (part >> 15).wrapping_mul(reciprocal)
+}
+
 /// The leading zeros of a number that is not 0, sought from those of the number before: where numbers change little, that
 /// is cheaper than counting on a core that cannot.
 #[inline(always)]

@@ -1,6 +1,7 @@
 //! Shows texels in pixels: from a texture that repeats or ends, as they are or under light.
 
 use crate::math::format::Attribute;
+use crate::math::recip;
 use crate::pixel::Pixel;
 use crate::texture::{Texture, Wrap};
 use crate::varying::Varying;
@@ -23,12 +24,53 @@ pub trait Sampler<T> {
     fn subspan(&mut self, run: &mut [T], start: [i32; 2], step: [i32; 2]) {
         self.steps(run, start, step);
     }
+
+    /// Shows texels over w, divided by `reciprocal` of 1/w.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn octave(&mut self, run: &mut [T], octave: &Octave, reciprocal: &impl Fn(u32) -> u32) {
+        octave.divided(run, reciprocal, |pixel, column, row| self.show(pixel, column, row));
+    }
 }
 
 impl<T, F: FnMut(&mut T, i32, i32)> Sampler<T> for F {
     #[inline(always)]
     fn show(&mut self, pixel: &mut T, column: i32, row: i32) {
         self(pixel, column, row);
+    }
+}
+
+/// Pixels whose 1/w has the same leading zeros: 1/w as it is normalised to 32 bits, u/w and v/w to 31, as parts of a box.
+#[derive(Clone, Copy, Debug)]
+pub struct Octave {
+    pub(super) start: [u32; 3],
+    pub(super) step: [u32; 3],
+    /// The box's whole texels, and how many of 31 bits are below one.
+    pub(super) least: [i32; 2],
+    pub(super) down: u32,
+}
+
+impl Octave {
+    /// Divides from pixel to pixel.
+    #[inline(always)]
+    fn divided<T>(
+        &self,
+        run: &mut [T],
+        reciprocal: impl Fn(u32) -> u32,
+        mut show: impl FnMut(&mut T, i32, i32),
+    ) {
+        let Self { start: [mut q, mut u, mut v], step: [dq, du, dv], least: [least_u, least_v], down } =
+            *self;
+        for pixel in run {
+            // As below.
+            core::hint::black_box(());
+            let reciprocal = reciprocal(q);
+            let part = |c: u32| (recip::quotient(c, reciprocal) >> (down & 31)).cast_signed();
+            show(pixel, least_u.wrapping_add(part(u)), least_v.wrapping_add(part(v)));
+            q = q.wrapping_add(dq);
+            u = u.wrapping_add(du);
+            v = v.wrapping_add(dv);
+        }
     }
 }
 
@@ -99,6 +141,20 @@ impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
                 steps(run, start, step, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
             }
             Wrap::Clamp => steps(run, start, step, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v))),
+        }
+    }
+
+    #[inline(never)]
+    fn octave(&mut self, run: &mut [P], octave: &Octave, reciprocal: &impl Fn(u32) -> u32) {
+        let Self { texture, paint } = self;
+        match texture.wrap() {
+            Wrap::Repeat => {
+                let repeated = Repeated::new(texture);
+                octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
+            }
+            Wrap::Clamp => {
+                octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v)));
+            }
         }
     }
 }

@@ -20,15 +20,24 @@ impl OverW {
         Self { q: 0, texel }
     }
 
-    /// As it may be used: interpolation runs some steps below 0, and 1/w some steps above its greatest.
+    /// As it may be used: interpolation runs some steps below 0.
     #[inline(always)]
     pub(super) fn clamped(self) -> Self {
-        let q = self.q.cast_unsigned();
-        // Below 0 by less than 2^30; else above 2^31 by as little.
-        let q = if q > 3 << 30 { 1 } else { q.clamp(1, i32::MAX.unsigned_abs()) };
-        Self { q: q.cast_signed(), texel: self.texel.map(|c| c.max(0)) }
+        let [u, v] = self.texel;
+        Self { q: self.q.max(1), texel: [u.max(0), v.max(0)] }
+    }
+
+    /// With 1/w normalised to 32 bits, and u/w and v/w to one less: interpolation may run some steps above 1/w.
+    #[inline(always)]
+    pub(super) fn up(self, shift: u32) -> [u32; 3] {
+        let [u, v] = self.texel.map(i32::cast_unsigned);
+        [self.q.cast_unsigned() << shift, u << (shift - 1), v << (shift - 1)]
     }
 }
+
+/// The greatest 1/w of a vertex, lest interpolation should run over 2^31: the 8191 columns and 4095 rows of the largest
+/// guard rectangle round by 6144 steps. It is off by 2^-18 of itself where w is a power of two, and nowhere else.
+const GREATEST: i32 = i32::MAX - (1 << 13) + 1;
 
 impl Varying for OverW {
     #[inline]
@@ -59,6 +68,12 @@ impl Varying for OverW {
         let [u, v] = self.texel;
         Self { q: self.q.wrapping_mul(steps), texel: [u.wrapping_mul(steps), v.wrapping_mul(steps)] }
     }
+}
+
+/// Three vertices' 1/w in one power of two.
+#[inline]
+pub(super) fn aligned(inverses: [PerVertexInverse; 3]) -> [i32; 3] {
+    PerVertexInverse::aligned(inverses).map(|q| q.min(GREATEST))
 }
 
 /// A triangle's corner of the texture: its least texel, and the power of two of texels that it spans.
@@ -103,7 +118,7 @@ impl TexelBox {
     /// Three vertices' 1/w in one power of two, the box, and all of it over w.
     pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
         let (texel_box, parts) = Self::new(texels);
-        (texel_box, Self::over_w(parts, PerVertexInverse::aligned(inverses)))
+        (texel_box, Self::over_w(parts, aligned(inverses)))
     }
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.
@@ -114,7 +129,7 @@ impl TexelBox {
         let shift = recip::normalising(q, shift);
         let reciprocal = recip::normalised(q << shift);
         let texel = |c: i32, least: i32| {
-            let part = normalised_part(c.cast_unsigned() << (shift - 1), reciprocal);
+            let part = recip::quotient(c.cast_unsigned() << (shift - 1), reciprocal);
             let part = if self.span_log2 > 15 { part << 1 } else { part >> (15 - self.span_log2) };
             part.wrapping_add(least.cast_unsigned() << 16).cast_signed()
         };
@@ -132,11 +147,4 @@ pub(super) struct Exact {
     pub(super) shift: u32,
     /// `2^47 / (q << shift)`.
     pub(super) reciprocal: u32,
-}
-
-/// A part of the box in 31 fraction bits, from `u / w` in 31 and the reciprocal of 1/w, both normalised: u/w has one
-/// leading zero more than 1/w, as interpolation may run some steps above.
-#[inline(always)]
-pub(super) fn normalised_part(over_w: u32, reciprocal: u32) -> u32 {
-    (over_w >> 15).wrapping_mul(reciprocal)
 }

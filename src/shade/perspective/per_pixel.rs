@@ -1,6 +1,7 @@
 //! A reciprocal a pixel, and the loop that takes it.
 
-use super::over_w::{OverW, TexelBox, normalised_part};
+use super::super::sampler::Octave;
+use super::over_w::{OverW, TexelBox};
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
 use crate::math::recip;
@@ -66,36 +67,26 @@ pub(super) fn reciprocals<T>(
     sampler: &mut impl Sampler<T>,
 ) {
     let (mut at, mut shift) = (start, 1);
-    let [least_u, least_v] = texel_box.least;
-    let down = 31 - texel_box.span_log2;
     loop {
         let mut pixels = run.len();
         while pixels > 1 && !alike(at, at.plus(step.times(pixels as i32 - 1))) {
             pixels /= 2;
         }
         let Some((now, later)) = run.split_at_mut_checked(pixels) else { return };
-        if now.is_empty() {
-            return;
-        }
-        let next = at.plus(step.times(pixels as i32));
         // Alone, a pixel may lie outside of its range.
         let from = if pixels == 1 { at.clamped() } else { at };
-        let mut q = from.q.cast_unsigned();
-        shift = recip::normalising(q, shift);
-        q <<= shift;
-        let [mut u, mut v] = from.texel.map(|c| c.cast_unsigned() << (shift - 1));
-        let (dq, [du, dv]) =
-            (step.q.cast_unsigned() << shift, step.texel.map(|c| c.cast_unsigned() << (shift - 1)));
-        for pixel in now {
-            let reciprocal = reciprocal(q);
-            let part = |c: u32| (normalised_part(c, reciprocal) >> down).cast_signed();
-            sampler.show(pixel, least_u.wrapping_add(part(u)), least_v.wrapping_add(part(v)));
-            q = q.wrapping_add(dq);
-            u = u.wrapping_add(du);
-            v = v.wrapping_add(dv);
+        shift = recip::normalising(from.q.cast_unsigned(), shift);
+        let octave = Octave {
+            start: from.up(shift),
+            step: step.up(shift),
+            least: texel_box.least,
+            down: 31 - texel_box.span_log2,
+        };
+        sampler.octave(now, &octave, &reciprocal);
+        if later.is_empty() {
+            return;
         }
-        run = later;
-        at = next;
+        (run, at) = (later, at.plus(step.times(pixels as i32)));
     }
 }
 

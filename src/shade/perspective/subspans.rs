@@ -83,79 +83,47 @@ impl Correction for Subspans {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     ) {
-        let ends = Ends::new(triangle, start, step, run.len(), |_, _| Some(self.log2()));
-        if let Some(ends) = ends {
-            subspans(triangle, ends, run, sampler);
-        }
+        let (first, last) = ends(triangle, start, step, run.len().saturating_sub(1));
+        subspans(triangle, self.log2(), step, &Ends { at: start, first, last }, run, sampler);
     }
 }
 
-/// Some pixels with linear texels: how many, the first one's texel in 16 fraction bits, and the step to the next.
-type Subspan = (usize, [i32; 2], [i32; 2]);
+/// The exact texels at both ends of a run of so many steps.
+#[inline(always)]
+pub(super) fn ends(texel_box: &TexelBox, start: OverW, step: &OverW, steps: usize) -> (Exact, Exact) {
+    let first = texel_box.texel(start, 1);
+    let last = texel_box.texel(start.plus(step.times(steps as i32)), first.shift);
+    (first, last)
+}
 
-/// Shows a run subspan by subspan.
+/// Where a run starts, and the exact texels at its ends.
+pub(super) struct Ends {
+    pub(super) at: OverW,
+    pub(super) first: Exact,
+    pub(super) last: Exact,
+}
+
+/// Shows a run by subspans of a power of two of pixels.
 #[inline(always)]
 pub(super) fn subspans<T>(
     texel_box: &TexelBox,
-    mut ends: Ends,
+    log2: u32,
+    step: &OverW,
+    ends: &Ends,
     mut run: &mut [T],
     sampler: &mut impl Sampler<T>,
 ) {
-    loop {
-        let (pixels, start, step) = ends.next(texel_box, run.len());
-        let Some((now, later)) = run.split_at_mut_checked(pixels) else { return };
-        sampler.subspan(now, start, step);
-        if later.is_empty() {
-            return;
-        }
-        run = later;
+    let (mut at, mut from, mut shift) = (ends.at, ends.first.texel, ends.first.shift);
+    // All but the last, which has a step more: from an exact texel to another.
+    while run.len() > (1 << log2) + 1 {
+        let Some((now, later)) = run.split_at_mut_checked(1 << log2) else { return };
+        at = at.plus(step.times(1 << log2));
+        let to = texel_box.texel(at, shift);
+        sampler.subspan(now, from, differences(from, to.texel).map(|difference| difference >> log2));
+        (run, from, shift) = (later, to.texel, to.shift);
     }
-}
-
-/// Where a run's subspans are: the exact texels at their ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ends {
-    /// At the first pixel of the next subspan, and from one to the next.
-    at: OverW,
-    step: OverW,
-    log2: u32,
-    shift: u32,
-    /// The texel there, and at the run's last pixel.
-    texel: [i32; 2],
-    last: [i32; 2],
-}
-
-impl Ends {
-    /// Of a run of `pixels`, cut into subspans of the power of two that `length` makes of its ends.
-    #[inline(always)]
-    pub(super) fn new(
-        texel_box: &TexelBox,
-        start: OverW,
-        step: &OverW,
-        pixels: usize,
-        length: impl FnOnce(&Exact, &Exact) -> Option<u32>,
-    ) -> Option<Self> {
-        let steps = pixels.saturating_sub(1) as i32;
-        let first = texel_box.texel(start, 1);
-        let last = texel_box.texel(start.plus(step.times(steps)), first.shift);
-        let log2 = length(&first, &last)?;
-        let step = step.times(1 << log2);
-        Some(Self { at: start, step, log2, shift: first.shift, texel: first.texel, last: last.texel })
-    }
-
-    /// The next subspan of a run that has `left` pixels left.
-    #[inline(always)]
-    pub(super) fn next(&mut self, texel_box: &TexelBox, left: usize) -> Subspan {
-        let from = self.texel;
-        let steps = left.saturating_sub(1);
-        if steps <= 1 << self.log2 {
-            return (left, from, Quotient::by(steps).of_each(differences(from, self.last)));
-        }
-        self.at = self.at.plus(self.step);
-        let to = texel_box.texel(self.at, self.shift);
-        (self.shift, self.texel) = (to.shift, to.texel);
-        (1 << self.log2, from, differences(from, to.texel).map(|difference| difference >> self.log2))
-    }
+    let quotient = Quotient::by(run.len().saturating_sub(1));
+    sampler.subspan(run, from, quotient.of_each(differences(from, ends.last.texel)));
 }
 
 /// From one texel to another.

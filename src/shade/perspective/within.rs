@@ -1,8 +1,8 @@
 //! The cheapest method that keeps an error.
 
-use super::over_w::{Exact, OverW, TexelBox};
+use super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
-use super::subspans::{Ends, differences, subspans};
+use super::subspans::{Ends, differences, ends, subspans};
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
@@ -25,8 +25,9 @@ use crate::transform::PerVertexInverse;
 /// difference is `sum over edges (l_i l_j A_ij) / sum(l q)`, with `A_ij = (q_i - q_j) (u_i - u_j)`. It is worst on an edge:
 /// along an edge with A <= 0 the numerator, less any multiple of the denominator, is convex, so its greatest is on another
 /// edge; and where no A is, q and u grow alike and all of both lies between two vertices, whose edge is worst. There it is
-/// `A / (sqrt(q_i) + sqrt(q_j))^2`, at most `A / (4 q_min)`. So affine texels are too low by at most P, the greatest A
-/// over `4 q_min`, and too high by at most N, the least. Moved by `(P - N) / 2` they are off by `(P + N) / 2`, half of it
+/// `A / (sqrt(q_i) + sqrt(q_j))^2`, at most A over the greater q and three times the lesser: over `3 q_min + q_mid`, of
+/// the least and the middle one of the triangle's. So affine texels are too low by at most P, the greatest A over
+/// that, and too high by at most N, the least. Moved by `(P - N) / 2` they are off by `(P + N) / 2`, half of it
 /// where the edges agree. They are moved only where that keeps them off the next copy of the texture, and where it is needed.
 ///
 /// # How long subspans may be
@@ -99,7 +100,7 @@ impl Correction for Within {
         sizes_log2: [u8; 2],
     ) -> (Chosen, [OverW; 3]) {
         let (texel_box, parts) = TexelBox::new(texels);
-        let q = PerVertexInverse::aligned(inverses);
+        let q = aligned(inverses);
         match self.affine(&texel_box, texels, parts, q, sizes_log2) {
             Some(texels) => (Chosen { texel_box, way: Way::Affine }, texels.map(OverW::affine)),
             None => {
@@ -136,14 +137,15 @@ fn bent<T>(
     run: &mut [T],
     sampler: &mut impl Sampler<T>,
 ) {
-    let steps = run.len().saturating_sub(1) as u32;
+    let steps = run.len().saturating_sub(1);
     // Three reciprocals are no more than two and what it takes to step.
-    let length = |first: &Exact, last: &Exact| length(texel_box, between, steps, first, last);
-    let ends = if steps < 3 { None } else { Ends::new(texel_box, start, step, run.len(), length) };
-    match ends {
-        Some(ends) => subspans(texel_box, ends, run, sampler),
-        None => reciprocals(texel_box, start, step, run, recip::normalised, sampler),
+    if steps >= 3 && between > 0 {
+        let (first, last) = ends(texel_box, start, step, steps);
+        if let Some(log2) = length(texel_box, between, steps as u32, &first, &last) {
+            return subspans(texel_box, log2, step, &Ends { at: start, first, last }, run, sampler);
+        }
     }
+    reciprocals(texel_box, start, step, run, recip::normalised, sampler);
 }
 
 impl Within {
@@ -164,11 +166,13 @@ impl Within {
         }
         // All in 15 fraction bits: 1/w, and parts of the box.
         let [qa, qb, qc] = [qa, qb, qc].map(|q| q >> 16);
-        let least = qa.min(qb).min(qc).cast_unsigned();
+        let (least, most) = (qa.min(qb).min(qc), qa.max(qb).max(qc));
+        // Three times the least and the middle one: what is least of an edge's greater and three times its lesser.
+        let edge = (2 * least + qa + qb + qc - most).cast_unsigned();
         // 8 e / U, of 1/w. Moving texels rounds to 2^-16, and by a reciprocal that is right to 2^-12.
         let error = self.error.saturating_sub((self.error >> 12) + 2);
         let eighth = if span_log2 < 2 { error << (2 - span_log2) } else { error >> (span_log2 - 2) };
-        let bend = Bend { allowed: eighth.min(1 << 16) * least, least, span_log2 };
+        let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
         let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
         let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
         let along = |a: i32, b: i32, c: i32| {
@@ -194,10 +198,10 @@ impl Within {
 
 /// How much perspective may bend the texels of an affine triangle.
 struct Bend {
-    /// Eight times the error in parts of the box, times the least 1/w: in 30 fraction bits.
+    /// Twice the error in parts of the box, times `edge`: in 30 fraction bits.
     allowed: u32,
-    /// The least 1/w, in 15.
-    least: u32,
+    /// Of no edge is `(sqrt(q_i) + sqrt(q_j))^2` less: in 15 fraction bits.
+    edge: u32,
     span_log2: u32,
 }
 
@@ -217,11 +221,11 @@ impl Bend {
             return None;
         }
         let sum = most + least;
-        // In 16 fraction bits: (most + least) 2^(span - 2) / least. That is not 0, as there is something allowed.
-        let shift = recip::normalising(self.least, 17);
-        let reciprocal = recip::normalised(self.least.max(1) << shift);
+        // In 16 fraction bits: (most + least) 2^span / edge, which is not 0, as there is something allowed.
+        let shift = recip::normalising(self.edge, 16);
+        let reciprocal = recip::normalised(self.edge.max(1) << shift);
         let size =
-            (product::unsigned(sum.unsigned_abs(), reciprocal) >> (49 - self.span_log2 - shift)) as i32;
+            (product::unsigned(sum.unsigned_abs(), reciprocal) >> (47 - self.span_log2 - shift)) as i32;
         let by = if sum < 0 { -size } else { size };
         let [a, b, c] = texels;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c).wrapping_sub(1));
