@@ -6,7 +6,7 @@
 //!
 //! | function | for | relative error | steps |
 //! |---|---|---|---|
-//! | [`normalised`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
+//! | [`pixel`] | texels, once a pixel | -2^-15 - 2^-16 to 2^-14 + 2^-16 | table and interpolation |
 //! | [`vertex`] | perspective divide, once a vertex | -2^-27.9 | and one Newton step |
 //! | [`area`] | gradients, once a triangle | ±2^-30 | and one more |
 //!
@@ -15,22 +15,17 @@
 
 use super::product;
 
-/// `round(2^16 / (1 + i / 64))` in the 17 lowest bits of a word, and above them how much less the next one is.
-static TABLE: [u32; 64] = {
-    let mut table = [0; 64];
+/// `round(2^16 / (1 + i / 64)) - 2^15`, so that the first entry fits too.
+const TABLE: [u16; 65] = {
+    let mut table = [0; 65];
     let mut i = 0;
     while i < table.len() {
         let denominator = 64 + i as u32;
-        let entry = ((64 << 17) / denominator).div_ceil(2);
-        let next = ((64 << 17) / (denominator + 1)).div_ceil(2);
-        table[i] = (entry - next) << ENTRY_BITS | entry;
+        table[i] = (((64 << 17) / denominator).div_ceil(2) - 32_768) as u16;
         i += 1;
     }
     table
 };
-
-/// Bits of an entry of the table, which is 2^16 at most.
-const ENTRY_BITS: u32 = 17;
 
 /// A reciprocal with its power of two: see each function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,11 +38,35 @@ pub(crate) struct Reciprocal {
 
 /// `2^47 / x` for `x` in [2^31, 2^32), in [2^15, 2^16]: the table and linear interpolation.
 #[inline(always)]
-pub(crate) fn normalised(x: u32) -> u32 {
-    let fraction = x >> 9 & 0xFFFF;
+fn seed(normalised: u32) -> u32 {
+    let index = (normalised >> 25 & 63) as usize;
+    let fraction = normalised >> 9 & 0xFFFF;
+    // `index` is below 64: these are for the compiler, which then needs no panic path.
+    let low = TABLE.get(index).copied().unwrap_or_default() as u32;
+    let high = TABLE.get(index + 1).copied().unwrap_or_default() as u32;
+    low + 32_768 - (((low - high) * fraction + 0x8000) >> 16)
+}
+
+/// `round(2^16 / (1 + i / 64))`, at most 2^16 - 1, in the high half of a word, and how much less the next is in the low.
+static PIXEL: [u32; 64] = {
+    let mut table = [0; 64];
+    let mut i = 0;
+    while i < table.len() {
+        let entry = if i == 0 { 0xFFFF } else { TABLE[i] as u32 + 32_768 };
+        table[i] = entry << 16 | (entry - (TABLE[i + 1] as u32 + 32_768));
+        i += 1;
+    }
+    table
+};
+
+/// `2^47 / x` for `x` in [2^31, 2^32), in [2^15, 2^16): the table in one word, and linear interpolation rounded down.
+///
+/// What the low half adds to the high one is less than a 64th of its step.
+#[inline(always)]
+pub(crate) fn pixel(x: u32) -> u32 {
     // The index is below 64: this is for the compiler, which then needs no panic path.
-    let word = TABLE.get((x >> 25 & 63) as usize).copied().unwrap_or_default();
-    (word & ((1 << ENTRY_BITS) - 1)) - (((word >> ENTRY_BITS) * fraction + 0x8000) >> 16)
+    let word = PIXEL.get((x >> 25 & 63) as usize).copied().unwrap_or_default();
+    (word - (word & 0xFFFF) * (x >> 9 & 0xFFFF)) >> 16
 }
 
 /// `part / x` in 31 fraction bits, from the reciprocal of an x normalised to 32 bits and a part of it to 31.
@@ -82,7 +101,7 @@ pub(crate) fn vertex(w: u32) -> Reciprocal {
 /// The reciprocal of a number whose highest bit is set, by one Newton step from the table.
 #[inline(always)]
 fn newton(normalised: u32) -> u32 {
-    let seed = self::normalised(normalised);
+    let seed = seed(normalised);
     // r' = r (2 - x r), with x r in 47 fraction bits: 2 - x r is about 1, and has 31 of them left.
     let complement = ((2 << 47) - product::unsigned(normalised, seed)) >> 16;
     (product::unsigned(seed, complement as u32) >> 16) as u32
@@ -139,16 +158,20 @@ mod tests {
         knots.chain(walk)
     }
 
-    // Red when the table or the interpolation is not rounded to nearest, or an entry's difference is another's.
+    // Red when an entry is not rounded to nearest, or its difference is another's.
     #[test]
-    fn normalised_is_within_the_chord_and_a_step() {
+    fn pixel_is_within_the_chord_and_a_step() {
         for x in inputs() {
-            let r = normalised(x);
-            // x r = 2^47 (1 + e). The entries and the interpolation are each rounded by half a step of r; the chord
-            // lies up to 2^-14 above.
-            let product = u64::from(x) * u64::from(r);
-            assert!(product >= (1 << 47) - u64::from(x), "{x:#x}: {product:#x} is too low");
-            assert!(product <= (1 << 47) + (1 << 33) + u64::from(x), "{x:#x}: {product:#x} is too high");
+            let r = pixel(x);
+            // x r = 2^47 (1 + e). An entry is rounded by half a step of r, the first by one, and the interpolation by
+            // one; the chord lies up to 2^-14 above, and what the low half adds by a 64th of a step.
+            let (product, step) = (u64::from(x) * u64::from(r), u64::from(x));
+            let down = if x >> 25 & 63 == 0 { 2 * step } else { 3 * step / 2 };
+            assert!(product >= (1 << 47) - down, "{x:#x}: {product:#x} is too low");
+            assert!(
+                product <= (1 << 47) + (1 << 33) + step / 2 + step / 64,
+                "{x:#x}: {product:#x} is too high"
+            );
         }
     }
 

@@ -123,11 +123,11 @@ impl TexelBox {
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.
     #[inline(never)]
-    pub(super) fn texel(&self, at: OverW, shift: u32) -> Exact {
+    pub(super) fn texel(&self, at: &OverW, shift: u32) -> Exact {
         let OverW { q, texel: [u, v] } = at.clamped();
         let q = q.cast_unsigned();
         let shift = recip::normalising(q, shift);
-        let reciprocal = recip::normalised(q << shift);
+        let reciprocal = recip::pixel(q << shift);
         let texel = |c: i32, least: i32| {
             let part = recip::quotient(c.cast_unsigned() << (shift - 1), reciprocal);
             let part = if self.span_log2 > 15 { part << 1 } else { part >> (15 - self.span_log2) };

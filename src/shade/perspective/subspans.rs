@@ -83,47 +83,34 @@ impl Correction for Subspans {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     ) {
-        let (first, last) = ends(triangle, start, step, run.len().saturating_sub(1));
-        subspans(triangle, self.log2(), step, &Ends { at: start, first, last }, run, sampler);
+        let steps = run.len().saturating_sub(1) as i32;
+        let first = triangle.texel(&start, 1);
+        let last = triangle.texel(&start.plus(step.times(steps)), first.shift);
+        subspans(triangle, self.log2(), (start, step), [&first, &last], run, sampler);
     }
 }
 
-/// The exact texels at both ends of a run of so many steps.
-#[inline(always)]
-pub(super) fn ends(texel_box: &TexelBox, start: OverW, step: &OverW, steps: usize) -> (Exact, Exact) {
-    let first = texel_box.texel(start, 1);
-    let last = texel_box.texel(start.plus(step.times(steps as i32)), first.shift);
-    (first, last)
-}
-
-/// Where a run starts, and the exact texels at its ends.
-pub(super) struct Ends {
-    pub(super) at: OverW,
-    pub(super) first: Exact,
-    pub(super) last: Exact,
-}
-
-/// Shows a run by subspans of a power of two of pixels.
+/// Shows a run by subspans of a power of two of pixels, from what is linear and the exact texels at both ends.
 #[inline(always)]
 pub(super) fn subspans<T>(
     texel_box: &TexelBox,
     log2: u32,
-    step: &OverW,
-    ends: &Ends,
+    (mut at, step): (OverW, &OverW),
+    [first, last]: [&Exact; 2],
     mut run: &mut [T],
     sampler: &mut impl Sampler<T>,
 ) {
-    let (mut at, mut from, mut shift) = (ends.at, ends.first.texel, ends.first.shift);
+    let (mut from, mut shift) = (first.texel, first.shift);
     // All but the last, which has a step more: from an exact texel to another.
     while run.len() > (1 << log2) + 1 {
         let Some((now, later)) = run.split_at_mut_checked(1 << log2) else { return };
         at = at.plus(step.times(1 << log2));
-        let to = texel_box.texel(at, shift);
+        let to = texel_box.texel(&at, shift);
         sampler.subspan(now, from, differences(from, to.texel).map(|difference| difference >> log2));
         (run, from, shift) = (later, to.texel, to.shift);
     }
     let quotient = Quotient::by(run.len().saturating_sub(1));
-    sampler.subspan(run, from, quotient.of_each(differences(from, ends.last.texel)));
+    sampler.subspan(run, from, quotient.of_each(differences(from, last.texel)));
 }
 
 /// From one texel to another.

@@ -2,11 +2,12 @@
 
 use super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
-use super::subspans::{Ends, differences, ends, subspans};
+use super::subspans::{differences, subspans};
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
 use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
 
 /// The cheapest of affine, subspans and a reciprocal a pixel that shows no texel further off than the caller allows.
 ///
@@ -140,12 +141,25 @@ fn bent<T>(
     let steps = run.len().saturating_sub(1);
     // Three reciprocals are no more than two and what it takes to step.
     if steps >= 3 && between > 0 {
-        let (first, last) = ends(texel_box, start, step, steps);
+        let first = texel_box.texel(&start, 1);
+        let last = texel_box.texel(&start.plus(step.times(steps as i32)), first.shift);
         if let Some(log2) = length(texel_box, between, steps as u32, &first, &last) {
-            return subspans(texel_box, log2, step, &Ends { at: start, first, last }, run, sampler);
+            return subspans(texel_box, log2, (start, step), [&first, &last], run, sampler);
         }
     }
-    reciprocals(texel_box, start, step, run, recip::normalised, sampler);
+    one_by_one(texel_box, start, step, run, sampler);
+}
+
+/// A run of pixels of which each has its reciprocal.
+#[inline(never)]
+fn one_by_one<T>(
+    texel_box: &TexelBox,
+    start: OverW,
+    step: &OverW,
+    run: &mut [T],
+    sampler: &mut impl Sampler<T>,
+) {
+    reciprocals(texel_box, start, step, run, recip::pixel, sampler);
 }
 
 impl Within {
@@ -169,7 +183,7 @@ impl Within {
         let (least, most) = (qa.min(qb).min(qc), qa.max(qb).max(qc));
         // Three times the least and the middle one: what is least of an edge's greater and three times its lesser.
         let edge = (2 * least + qa + qb + qc - most).cast_unsigned();
-        // 8 e / U, of 1/w. Moving texels rounds to 2^-16, and by a reciprocal that is right to 2^-12.
+        // 8 e / U, of 1/w. Moving texels rounds to 2^-16, and by a reciprocal that is right to 2^-13.
         let error = self.error.saturating_sub((self.error >> 12) + 2);
         let eighth = if span_log2 < 2 { error << (2 - span_log2) } else { error >> (span_log2 - 2) };
         let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
@@ -223,7 +237,7 @@ impl Bend {
         let sum = most + least;
         // In 16 fraction bits: (most + least) 2^span / edge, which is not 0, as there is something allowed.
         let shift = recip::normalising(self.edge, 16);
-        let reciprocal = recip::normalised(self.edge.max(1) << shift);
+        let reciprocal = recip::pixel(self.edge.max(1) << shift);
         let size =
             (product::unsigned(sum.unsigned_abs(), reciprocal) >> (47 - self.span_log2 - shift)) as i32;
         let by = if sum < 0 { -size } else { size };
