@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
 
-use super::over_w::{OverW, TexelBox};
+use super::super::over_w::{OverW, TexelBox};
 use super::per_pixel::reciprocals;
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;

@@ -1,6 +1,6 @@
 //! Texels that are exact every few pixels, and linear between.
 
-use super::over_w::{Exact, OverW, TexelBox};
+use super::super::over_w::{Exact, OverW, TexelBox};
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
 use crate::transform::PerVertexInverse;

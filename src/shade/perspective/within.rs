@@ -1,6 +1,6 @@
 //! The cheapest method that keeps an error.
 
-use super::over_w::{Exact, OverW, TexelBox, aligned};
+use super::super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
 use super::subspans::{differences, subspans};
 use super::{Correction, Sampler};
