@@ -80,6 +80,9 @@ impl Case {
     }
 }
 
+/// Triangles that methods differ on.
+pub(crate) const KINDS: [Kind; 4] = [Kind::Ordinary, Kind::Small, Kind::FullScreen, Kind::Sliver];
+
 /// Subspans of every length, on triangles of a kind, by the ratio of w.
 pub(crate) fn subspans_of(kind: Kind) -> Vec<Row> {
     let rows = |method: Subspans| {
@@ -157,15 +160,13 @@ pub(crate) fn within_error((error, name): (f64, &'static str)) -> Row {
 /// Red when a subspan's step is that of its neighbour, or the last one ends a pixel late.
 #[test]
 fn subspans_are_within_their_bound() {
-    [Kind::Ordinary, Kind::Small, Kind::FullScreen, Kind::Sliver]
-        .into_iter()
-        .for_each(|kind| hold(&subspans_of(kind)));
+    KINDS.into_iter().for_each(|kind| hold(&subspans_of(kind)));
 }
 
 /// Red when the quotient has a bit less, or is not of this pixel's 1/w.
 #[test]
 fn divided_texels_are_within_the_bound_of_a_reciprocal() {
-    hold(&[Kind::Ordinary, Kind::Small, Kind::FullScreen].map(divided_of));
+    hold(&KINDS.map(divided_of));
 }
 
 /// Red when affine is chosen for twice the bend, its texels are moved the other way, or subspans are twice as long.

@@ -10,7 +10,7 @@ use crate::varying::Varying;
 
 /// A reciprocal a pixel, by table and interpolation. The same on every chip.
 ///
-/// With U the power of two of texels that holds the triangle's span, a texel is off by at most `U (2^-14 + 2^-15)`, and
+/// With U the power of two of texels that holds the triangle's span, a texel is off by at most `U (2^-14 + 2^-16)`, and
 /// by what interpolating 1/w adds: below `U 2^-15` up to a ratio of w of 64 within 500 pixels of the triangle's first
 /// vertex.
 #[derive(Clone, Copy, Debug, Default)]

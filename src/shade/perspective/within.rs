@@ -65,7 +65,7 @@ impl Default for Within {
 
 /// How a triangle is drawn.
 #[derive(Clone, Copy, Debug)]
-pub enum Way {
+pub(super) enum Way {
     /// Its texels are linear.
     Affine,
     /// By subspans whose middle is off by at most so many texels, in 16 fraction bits.
