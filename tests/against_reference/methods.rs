@@ -8,7 +8,7 @@ use crate::measured::{Errors, Row, hold};
 use crate::probe::{Covered, outside, range, sampled, texels_of};
 use crate::random::{Kind, Random};
 use crate::texels::{SIZES, distances, inverse, texel_box};
-use crate::tolerance::{per_pixel, subspan, within};
+use crate::tolerance::{DIVIDED, RECIPROCAL, per_pixel, subspan, within};
 
 /// A triangle with texels and 1/w at its corners.
 struct Case {
@@ -64,9 +64,8 @@ impl Case {
             let start = plane.at(span.start - ax, span.y - ay);
             let shown = texels_of(method, &shared, start, &plane.dx, span.end - span.start);
             for x in sampled(span, random) {
-                for axis in 0..2 {
+                for (axis, texel) in shown[(x - span.start) as usize].into_iter().enumerate() {
                     let wanted = self.wanted(x, span.y, axis);
-                    let texel = shown[(x - span.start) as usize][axis];
                     errors.add(outside(texel, wanted), bound(span, x, axis), || {
                         let Self { covered, w, exact, .. } = self;
                         format!(
@@ -113,12 +112,12 @@ pub(crate) fn subspans_of(kind: Kind) -> Vec<Row> {
 pub(crate) fn divided_of(kind: Kind) -> Row {
     let (mut errors, mut random) = (Errors::default(), Random::new(21));
     for _ in 0..100 {
-        let case = Case::new(kind, 16.0, 255.0, &mut random);
+        let case = Case::new(kind, 16.0, 32_767.0, &mut random);
         case.add(Divided::<Portable>::new(), &mut errors, &mut random, |span, x, _| {
-            case.unit * case.ends(x, span.y)
+            case.unit * (case.ends(x, span.y) + DIVIDED - RECIPROCAL)
         });
     }
-    Row::new("texels", kind.name(), "divided w 1:16", ["of 256", "texel"], &errors)
+    Row::new("texels", kind.name(), "divided w 1:16", ["of 32768", "texel"], &errors)
 }
 
 /// Errors that a caller may allow, in texels.
@@ -163,7 +162,7 @@ fn subspans_are_within_their_bound() {
     KINDS.into_iter().for_each(|kind| hold(&subspans_of(kind)));
 }
 
-/// Red when the quotient has a bit less, or is not of this pixel's 1/w.
+/// Red when the denominator has three bits less.
 #[test]
 fn divided_texels_are_within_the_bound_of_a_reciprocal() {
     hold(&KINDS.map(divided_of));
