@@ -16,7 +16,9 @@ use crate::varying::Varying;
 mod flat;
 mod gouraud;
 mod light;
+mod over_w;
 mod perspective;
+mod sampler;
 mod textured;
 
 pub use flat::Flat;
@@ -24,7 +26,8 @@ pub(crate) use flat::FlatPixel;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::GouraudPixel;
 pub use light::{Material, Sun};
-pub use perspective::{Affine, Correction, PerPixel};
+pub use perspective::{Affine, Correction, Divide, Divided, PerPixel, Portable, Subspans, Within};
+pub use sampler::Sampler;
 pub use textured::{LitTexture, Textured};
 
 /// The vertex half of a shader, borrowed while a mesh is drawn into a list.
