@@ -194,6 +194,7 @@ impl Depth for Depth16 {
 fn hidden(cells: &[u16], mut code: u32, step: u32) -> usize {
     let mut count = 0;
     for &cell in cells {
+        core::hint::black_box(());
         if (code >> 16) as u16 > cell {
             break;
         }
@@ -208,6 +209,8 @@ fn hidden(cells: &[u16], mut code: u32, step: u32) -> usize {
 fn cover(cells: &mut [u16], mut code: u32, step: u32) -> usize {
     let mut count = 0;
     for cell in cells {
+        // Keeps the loop as it is: unrolled, it needs more registers than a small core has.
+        core::hint::black_box(());
         if !Depth16::cover(cell, DepthCode::from_bits(code)) {
             break;
         }

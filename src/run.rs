@@ -65,6 +65,7 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
                 (*a, *b, *c, *d) = (colour, colour, colour, colour);
             }
             for pixel in rest {
+                core::hint::black_box(());
                 *pixel = colour;
             }
         } else {
@@ -92,6 +93,8 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
     pub fn pixels(self) -> impl Iterator<Item = Place<'r, P, D>> {
         let Self { colours, depths, mut depth, step } = self;
         colours.iter_mut().zip(D::cells(depths)).map(move |(colour, cell)| {
+            // Keeps the loop as it is: unrolled, it needs more registers than a small core has.
+            core::hint::black_box(());
             let place = Place { colour, cell, depth };
             depth = depth.plus(step);
             place
