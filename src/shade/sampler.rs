@@ -138,7 +138,7 @@ impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
         let Self { texture, paint } = self;
         match texture.wrap() {
             Wrap::Repeat => {
-                let repeated = Repeated::new(texture);
+                let Some(repeated) = Repeated::new(texture) else { return };
                 steps(run, start, step, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
             }
             Wrap::Clamp => steps(run, start, step, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v))),
@@ -150,7 +150,7 @@ impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
         let Self { texture, paint } = self;
         match texture.wrap() {
             Wrap::Repeat => {
-                let repeated = Repeated::new(texture);
+                let Some(repeated) = Repeated::new(texture) else { return };
                 octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
             }
             Wrap::Clamp => {
@@ -169,10 +169,12 @@ struct Repeated<'t> {
 }
 
 impl<'t> Repeated<'t> {
+    /// Of a texture, which has at least one texel: said here, it need not be asked for each.
     #[inline(always)]
-    fn new(texture: &Texture<'t>) -> Self {
+    fn new(texture: &Texture<'t>) -> Option<Self> {
         let ([width_log2, _], columns) = (texture.sizes_log2(), u32::from(texture.width()) - 1);
-        Self { texels: texture.texels(), columns, width_log2: width_log2.into() }
+        let texels = texture.texels();
+        if texels.is_empty() { None } else { Some(Self { texels, columns, width_log2: width_log2.into() }) }
     }
 
     #[inline(always)]
