@@ -18,6 +18,7 @@ pub mod transform;
 pub mod clip;
 pub mod setup;
 pub mod raster;
+pub mod homogeneous;
 pub mod varying;
 pub mod depth;
 pub mod shade;
