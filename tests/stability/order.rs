@@ -16,14 +16,13 @@ use topleft::{
     Attribute, Cull, Depth16, DrawList, Length, ListTriangle, Mesh, NoDepth, Orthographic, Pose, Spans,
 };
 
+use crate::carried::{SIDE, in_strips};
 use crate::figure::{grouped, unsigned};
 use crate::planes;
 use crate::support::check;
 use crate::support::counter::{Add, Hits};
 use crate::support::frame::Strips;
 use crate::support::winding::hits;
-
-const SIDE: i32 = 64;
 
 /// Bits of a value at each pixel, by row and column.
 type Values = BTreeMap<(i32, i32), u64>;
@@ -66,13 +65,10 @@ pub(crate) fn strips() -> [u64; 3] {
     let add = |which: usize, count: usize| counts[which].set(counts[which].get() + count as u64);
     check(1_000, &(shaded(), 1..24_i32), |(whole, height)| {
         let (mut exact, mut naive) = (Values::new(), Values::new());
-        let (mut frame, mut strips) = (Values::new(), Values::new());
         by(linear, &[whole], 0..SIDE, &mut exact);
-        in_rows(whole, 0..SIDE, &mut frame);
         for top in (0..SIDE).step_by(height as usize) {
             let rows = top..(top + height).min(SIDE);
-            by(linear, &to_rows(whole, rows.clone()), rows.clone(), &mut naive);
-            in_rows(whole, rows, &mut strips);
+            by(linear, &to_rows(whole, rows.clone()), rows, &mut naive);
         }
         let off = |(at, bits): (&(i32, i32), &u64)| {
             naive.get(at).is_none_or(|other| (f64::from_bits(*bits) - f64::from_bits(*other)).abs() > 0.0625)
@@ -80,13 +76,22 @@ pub(crate) fn strips() -> [u64; 3] {
         add(0, exact.len());
         let wrong = exact.iter().filter(|&pixel| off(pixel)).count();
         add(1, wrong + naive.keys().filter(|&at| !exact.contains_key(at)).count());
-        add(2, frame.iter().filter(|&(at, bits)| strips.get(at) != Some(bits)).count());
-        if frame == strips { Ok(()) } else { Err("strips are not the frame".into()) }
+        let (triangle, greys) = whole;
+        // A position is 1/256 px.
+        let corners = triangle.map(|corner| corner.map(|c| (c - SIDE * 128) as i16));
+        let [frame, strips] =
+            in_strips(corners, 128, [Length::ZERO; 2], greys.map(Attribute::from_num), [SIDE, height]);
+        let drawn = frame.colours.iter().filter(|value| value.0.is_some()).count();
+        add(2, frame.colours.iter().zip(&strips.colours).filter(|(one, other)| one != other).count());
+        if drawn != exact.len() {
+            return Err(format!("{drawn} px are drawn of {}", exact.len()));
+        }
+        strips.same("strips", &frame)
     });
     counts.map(|count| count.get())
 }
 
-// Red when planes are anchored in the window, or an edge starts anew in a strip: `Plane::at`, `Edge::skip`.
+// Red when planes are anchored in the window (`pipeline::draw`), or an edge starts anew in a strip (`Edge::skip`).
 #[test]
 fn row_31_strips_that_set_up_their_own_part_have_seams() {
     let [pixels, naive, ours] = strips();
