@@ -51,3 +51,41 @@ pub(crate) fn compare(face: &Face, size: Size, hits: &[i32], winding: &[i32]) ->
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::support::exact::compare_mesh;
+    use crate::support::winding::winding_of;
+    use topleft::{Length, MatrixCamera, Mesh, Pose};
+
+    /// Red when the band swallows what is moved by a 64th, or a sign is the other way.
+    #[test]
+    fn planes_that_are_moved_by_a_64th_are_noticed() {
+        let size = Size::new(64, 48);
+        let one = 1 << 16;
+        // w is z, and z in clip space is slope z + near: 0 at a quarter, and w at three quarters.
+        let rows = |near: i32, slope: i32| {
+            let rows = [[one, 0, 0, 0], [0, one, 0, 0], [0, 0, slope, near], [0, 0, one, 0]];
+            Matrix::new(rows.map(|row| row.map(Length::from_bits)))
+        };
+        let (near, slope) = (-one * 3 / 8, one * 3 / 2);
+        let positions = [[-32_000, -30_000, 30_000], [31_000, -20_000, 30_000], [500, 4_000, -10_000]];
+        let mesh = Mesh::new(&positions, &[[0, 1, 2]]).expect("three vertices");
+        let camera = MatrixCamera::<true>::new(size, rows(near, slope));
+        let (polygons, hits) = compare_mesh(&camera, &mesh, &Pose::new()).expect("exact");
+        let winding = winding_of(&polygons.edges(), 64, 48);
+        let against = |near, slope| {
+            compare(&face(&rows(near, slope), positions).expect("a face"), size, &hits, &winding)
+        };
+        assert_eq!(against(near, slope), Ok(()));
+        for moved in [-one / 64, one / 64] {
+            assert!(against(near + moved, slope).is_err(), "near by {moved}");
+            assert!(against(near, slope + moved).is_err(), "far by {moved}");
+        }
+        let other = hits.iter().map(|hits| 1 - hits).collect::<Vec<_>>();
+        assert!(
+            compare(&face(&rows(near, slope), positions).expect("a face"), size, &other, &winding).is_err()
+        );
+    }
+}

@@ -59,7 +59,7 @@ impl Face {
     }
 
     /// What is sure at the centre of a pixel, wherever it is moved by `band` of 1/256 px or less on each axis. An error
-    /// of x or y counts as if it were one of a screen whose half is its longer side: twice as large, or up to that.
+    /// of x and of y counts in units of the screen's longer side: a library may keep them in larger ones than its half.
     ///
     /// # Panics
     /// The view is wider or higher than 64 pixels, or the pixel is outside of it.

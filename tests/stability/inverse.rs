@@ -127,7 +127,7 @@ pub(crate) fn divisors() -> ([i32; 2], usize) {
     (ends.get(), pixels.get())
 }
 
-// Red when the near plane is nearer (`distances`), or `aligned` shifts by the largest of the three or not at all.
+// Red when the near plane is nearer (`distances`), or `aligned` does not shift.
 #[test]
 fn row_10_the_inverses_of_a_triangle_are_of_the_near_planes_range() {
     let ([least, most], pixels) = divisors();
