@@ -59,7 +59,7 @@ mod tests {
     use crate::support::winding::winding_of;
     use topleft::{Length, MatrixCamera, Mesh, Pose};
 
-    /// Red when the band swallows what is moved by a 64th, or a sign is the other way.
+    /// Red when the band swallows it (`ROUNDED` of 4 px), or `Face::at` leaves a plane out, or its sign is the other way.
     #[test]
     fn planes_that_are_moved_by_a_64th_are_noticed() {
         let size = Size::new(64, 48);
