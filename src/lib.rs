@@ -165,8 +165,8 @@ pub use viewport::{TooLarge, Viewport};
 pub mod stages {
     pub use crate::attributes::{Attributes, Fraction, Words};
     pub use crate::gradients::{Gradients, Plane};
-    pub use crate::raster::{DrawSpan, Span, Traversal, Window};
     pub use crate::pixel::Stepped;
+    pub use crate::raster::{DrawSpan, Span, Traversal, Window};
     pub use crate::run::{Place, Run};
     pub use crate::setup::Setup;
     pub use crate::shade::{Correction, PixelShader, Sampler, Shader, Uniforms};

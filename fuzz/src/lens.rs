@@ -54,6 +54,16 @@ impl Seen {
             Self::Level(MatrixCamera::new(size, *camera.matrix()))
         }
     }
+
+    /// From the scene to clip space, unless the camera claims to be level and is not.
+    pub(crate) fn matrix(&self) -> Option<&Matrix> {
+        match self {
+            Self::Perspective(camera) => Some(camera.matrix()),
+            Self::Level(camera) => {
+                Some(camera.matrix()).filter(|matrix| matches!(matrix.row(3), [0, 0, 0, _]))
+            }
+        }
+    }
 }
 
 impl Lens {

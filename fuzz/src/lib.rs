@@ -2,6 +2,7 @@
 //! not hold; what is compared, and how, is the library's own tests' (`tests/support`).
 
 mod blob;
+mod cut;
 mod frame;
 mod lens;
 mod numbers;

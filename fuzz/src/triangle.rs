@@ -8,13 +8,14 @@ use topleft::stages::{Gradients, Setup, Span, Varying, Window};
 use topleft::{Attribute, BoxWalk, DepthCode, Inverse, Mesh, Pose, Spans};
 
 use crate::counting::Counting;
+use crate::cut;
 use crate::flat::compare as compare_flat;
 use crate::lens::{Lens, Seen};
 use crate::numbers::Number;
 use crate::soup::Image;
 use crate::support::exact::{compare, compare_mesh, expected};
 use crate::support::same;
-use crate::support::winding::setup;
+use crate::support::winding::{setup, winding_of};
 
 /// Any triangle.
 #[derive(Arbitrary, Clone, Debug)]
@@ -101,11 +102,12 @@ impl Case {
     }
 }
 
-/// Coverage of a mesh of one face, from whichever corner and whichever way round: clipping must not see a difference, or
-/// neighbours would have different ends of the edge that they share.
+/// Coverage of a mesh of one face: that of its polygon, and that of the face where the camera's planes leave it; the same
+/// from whichever corner and whichever way round, or neighbours would have different ends of the edge that they share.
 fn seen([a, b, c]: [[i16; 3]; 3], lens: &Lens, size: [u8; 2]) -> Result<usize, String> {
     let [width, height] = size.map(|length| u32::from(length % 64 + 1));
-    let camera = lens.camera(Size::new(width, height));
+    let size = Size::new(width, height);
+    let camera = lens.camera(size);
     let drawn = |positions: [[i16; 3]; 3]| {
         let mesh = Mesh::new(&positions, &[[0, 1, 2]]).map_err(|error| error.to_string())?;
         let (polygons, hits) = match &camera {
@@ -113,14 +115,18 @@ fn seen([a, b, c]: [[i16; 3]; 3], lens: &Lens, size: [u8; 2]) -> Result<usize, S
             Seen::Level(camera) => compare_mesh(camera, &mesh, &Pose::new()),
         }?;
         let mut edges = polygons.edges();
+        let winding = winding_of(&edges, width as usize, height as usize);
         for edge in &mut edges {
             edge.sort_unstable();
         }
         edges.sort_unstable();
-        Ok::<_, String>((edges, hits))
+        Ok::<_, String>((edges, hits, winding))
     };
-    let (edges, hits) = drawn([a, b, c])?;
-    let (others, other) = drawn([c, b, a])?;
+    let (edges, hits, winding) = drawn([a, b, c])?;
+    if let Some(face) = camera.matrix().and_then(|matrix| cut::face(matrix, [a, b, c])) {
+        cut::compare(&face, size, &hits, &winding)?;
+    }
+    let (others, other, _) = drawn([c, b, a])?;
     if edges != others {
         return Err(format!("{edges:?} one way round, {others:?} the other"));
     }

@@ -5,6 +5,7 @@
 //!
 //! ```text
 //! mesh -> transform -> clip -> setup -> raster -> varying -> depth -> shade -> image
+//!                      `homogeneous` is the coverage of all up to raster, without a clipper
 //!                      `render` calls them in order, `compare` measures the distance between two results
 //! ```
 //!
@@ -18,6 +19,7 @@ pub mod transform;
 pub mod clip;
 pub mod setup;
 pub mod raster;
+pub mod homogeneous;
 pub mod varying;
 pub mod depth;
 pub mod shade;

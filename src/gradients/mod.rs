@@ -63,7 +63,8 @@ impl Gradients {
         };
         let area2 = setup.area2().unsigned_abs();
         let small = setup.is_small() && area2 >> small::AREA_BITS == 0;
-        let (reciprocal, normalised) = if small { recip::small_area(area2 as u32) } else { recip::area(area2) };
+        let (reciprocal, normalised) =
+            if small { recip::small_area(area2 as u32) } else { recip::area(area2) };
         // From the vertex to the centre of the pixel that holds it: -127 to 128.
         let to_centre = |coordinate: i32| HALF_PIXEL - (coordinate & (SUBPIXELS - 1));
         Self {
@@ -87,7 +88,8 @@ impl Gradients {
     #[inline(never)]
     pub(crate) fn plane(&self, [a, b, c]: [i64; 3]) -> Plane<u32> {
         let (d1, d2) = (b - a, c - a);
-        let (dx, dy) = if self.small { small::gradients(self, d1, d2) } else { wide::gradients(self, d1, d2) };
+        let (dx, dy) =
+            if self.small { small::gradients(self, d1, d2) } else { wide::gradients(self, d1, d2) };
         self.through(a as i32, dx, dy)
     }
 

@@ -21,7 +21,7 @@ use crate::support::polygons::polygons;
 use crate::support::tolerance::{self, vertex_on_screen};
 
 const VIEW: Viewport = Viewport { width: 64, height: 48 };
-const SIZE: Size = Size::new(64, 48);
+pub(crate) const SIZE: Size = Size::new(64, 48);
 /// Where the near plane is; positions reach from -1 to 1.
 const NEAR: f64 = 1.0 / 64.0;
 
@@ -111,7 +111,7 @@ impl Seen {
 }
 
 /// A vertex in view: z from a quarter to 1, and less than z aside.
-fn in_view() -> impl Strategy<Value = [i16; 3]> {
+pub(crate) fn in_view() -> impl Strategy<Value = [i16; 3]> {
     (8_192..32_767_i32, [-1000..=1000_i32, -1000..=1000_i32])
         .prop_map(|(z, aside)| [(aside[0] * z / 1000) as i16, (aside[1] * z / 1000) as i16, z as i16])
 }

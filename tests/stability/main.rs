@@ -15,6 +15,7 @@ mod random;
 #[path = "../any_input/edges.rs"]
 mod edges;
 
+mod carried;
 mod figure;
 mod planes;
 
@@ -22,6 +23,7 @@ mod clipping;
 mod coverage;
 mod depth;
 mod input_range;
+mod inverse;
 mod order;
 mod origin;
 mod perspective;

@@ -11,19 +11,16 @@ use reference::raster::covers;
 use reference::setup::{Triangle, area2};
 use reference::transform::Viewport;
 use reference::varying::linear;
-use topleft::stages::Window;
 use topleft::{
     Attribute, Cull, Depth16, DrawList, Length, ListTriangle, Mesh, NoDepth, Orthographic, Pose, Spans,
 };
 
+use crate::carried::{SIDE, Value, in_strips};
 use crate::figure::{grouped, unsigned};
-use crate::planes;
 use crate::support::check;
 use crate::support::counter::{Add, Hits};
-use crate::support::frame::Strips;
+use crate::support::frame::{Frame, Strips};
 use crate::support::winding::hits;
-
-const SIDE: i32 = 64;
 
 /// Bits of a value at each pixel, by row and column.
 type Values = BTreeMap<(i32, i32), u64>;
@@ -35,12 +32,11 @@ fn shaded() -> impl Strategy<Value = Valued> {
         .prop_filter("it has an area", |(triangle, _)| area2(*triangle) != 0)
 }
 
-/// What the library gives the pixels of some rows.
-fn in_rows((triangle, greys): Valued, rows: core::ops::Range<i32>, into: &mut Values) {
-    let window = Window { columns: 0..SIDE, rows };
-    planes::values(triangle, greys.map(Attribute::from_num), &window, |x, y, value| {
-        into.insert((y, x), u64::from(value.to_bits().cast_unsigned()));
-    });
+/// What the library gives the target by strips of each height.
+fn ours<const N: usize>((triangle, greys): Valued, heights: [i32; N]) -> [Frame<Value>; N] {
+    // A position is 1/256 px.
+    let corners = triangle.map(|corner| corner.map(|c| (c - SIDE * 128) as i16));
+    in_strips(corners, 128, [Length::ZERO; 2], greys.map(Attribute::from_num), heights)
 }
 
 /// What a naive method gives the pixels that a triangle covers.
@@ -66,13 +62,10 @@ pub(crate) fn strips() -> [u64; 3] {
     let add = |which: usize, count: usize| counts[which].set(counts[which].get() + count as u64);
     check(1_000, &(shaded(), 1..24_i32), |(whole, height)| {
         let (mut exact, mut naive) = (Values::new(), Values::new());
-        let (mut frame, mut strips) = (Values::new(), Values::new());
         by(linear, &[whole], 0..SIDE, &mut exact);
-        in_rows(whole, 0..SIDE, &mut frame);
         for top in (0..SIDE).step_by(height as usize) {
             let rows = top..(top + height).min(SIDE);
-            by(linear, &to_rows(whole, rows.clone()), rows.clone(), &mut naive);
-            in_rows(whole, rows, &mut strips);
+            by(linear, &to_rows(whole, rows.clone()), rows, &mut naive);
         }
         let off = |(at, bits): (&(i32, i32), &u64)| {
             naive.get(at).is_none_or(|other| (f64::from_bits(*bits) - f64::from_bits(*other)).abs() > 0.0625)
@@ -80,13 +73,18 @@ pub(crate) fn strips() -> [u64; 3] {
         add(0, exact.len());
         let wrong = exact.iter().filter(|&pixel| off(pixel)).count();
         add(1, wrong + naive.keys().filter(|&at| !exact.contains_key(at)).count());
-        add(2, frame.iter().filter(|&(at, bits)| strips.get(at) != Some(bits)).count());
-        if frame == strips { Ok(()) } else { Err("strips are not the frame".into()) }
+        let [frame, strips] = ours(whole, [SIDE, height]);
+        let drawn = frame.colours.iter().filter(|value| value.0.is_some()).count();
+        add(2, frame.colours.iter().zip(&strips.colours).filter(|(one, other)| one != other).count());
+        if drawn != exact.len() {
+            return Err(format!("{drawn} px are drawn of {}", exact.len()));
+        }
+        strips.same("strips", &frame)
     });
     counts.map(|count| count.get())
 }
 
-// Red when planes are anchored in the window, or an edge starts anew in a strip: `Plane::at`, `Edge::skip`.
+// Red when planes are anchored in the window (`pipeline::draw`), or an edge starts anew in a strip (`Edge::skip`).
 #[test]
 fn row_31_strips_that_set_up_their_own_part_have_seams() {
     let [pixels, naive, ours] = strips();
@@ -108,10 +106,14 @@ pub(crate) fn vertex_orders() -> [u64; 3] {
     check(300, &shaded(), |(triangle, greys)| {
         let frames = ORDERS.map(|order| {
             let other: Valued = (order.map(|i| triangle[i]), order.map(|i| greys[i]));
-            let (mut naive, mut ours) = (Values::new(), Values::new());
+            let (mut naive, mut shown) = (Values::new(), Values::new());
             by(plane::from_the_given_vertex, &[other], 0..SIDE, &mut naive);
-            in_rows(other, 0..SIDE, &mut ours);
-            [naive, ours]
+            let [frame] = ours(other, [SIDE]);
+            for (at, value) in frame.colours.iter().enumerate() {
+                let at = (at as i32 / SIDE, at as i32 % SIDE);
+                shown.extend(value.0.map(|value| (at, u64::from(value.cast_unsigned()))));
+            }
+            [naive, shown]
         });
         let [first, ..] = &frames;
         let many = |which: usize| {
@@ -127,7 +129,7 @@ pub(crate) fn vertex_orders() -> [u64; 3] {
     counts.map(|count| count.get())
 }
 
-// Red when `Setup::new` keeps the order that it is given.
+// Red when a face keeps the order of its corners: `canonical` in src/list/draw.rs.
 #[test]
 fn row_32_planes_depend_on_the_order_of_the_vertices() {
     let [pixels, naive, ours] = vertex_orders();
@@ -169,8 +171,8 @@ fn row_33_blended_edges_let_the_background_through_a_mesh() {
     assert_eq!(ours, 0);
 }
 
-/// Shaded pixels of `count` layers over a target of 32 x 32, the nearest first or last.
-fn shaded_pixels<D: Strips>(count: i32, nearest_first: bool) -> u64 {
+/// Shaded pixels of layers over a target of 32 x 32, drawn in this order, by how far behind the first place they are.
+fn shaded_pixels<D: Strips>(layers: impl IntoIterator<Item = i32>) -> u64 {
     const POSITIONS: [[i16; 3]; 4] =
         [[-32_767, -32_767, 0], [32_767, -32_767, 0], [32_767, 32_767, 0], [-32_767, 32_767, 0]];
     let camera = Orthographic::new(Size::new(32, 32), 2.0, 1.0..9.0);
@@ -180,8 +182,7 @@ fn shaded_pixels<D: Strips>(count: i32, nearest_first: bool) -> u64 {
     let (mut words, mut triangles) = (vec![0; 200 * 4 * 3], vec![ListTriangle::EMPTY; 400]);
     let mut list = DrawList::<Hits, D, Spans>::with_traversal(&mut words, &mut triangles);
     list.set_cull(Cull::Back);
-    for layer in 0..count {
-        let behind = if nearest_first { layer } else { count - 1 - layer };
+    for behind in layers {
         let pose =
             Pose::new().at([Length::ZERO, Length::ZERO, Length::from_bits(-(2 << 16) - (behind << 10))]);
         list.draw(&camera, &mesh, &pose, &Add(1)).expect("the list is long enough");
@@ -194,14 +195,14 @@ fn shaded_pixels<D: Strips>(count: i32, nearest_first: bool) -> u64 {
     cells.iter().map(|hits| u64::from(hits.0.unsigned_abs())).sum()
 }
 
-// Red when hidden pixels are shaded, or a triangle's pixels cost more than once.
+// Red when hidden pixels are shaded (`cover`), or a triangle's pixels cost more than once.
 #[test]
 fn row_34_layers_are_shaded_as_often_as_they_are_seen() {
     const ONE: u64 = 32 * 32;
     let [painter, back, front] = [
-        shaded_pixels::<NoDepth>(200, false),
-        shaded_pixels::<Depth16>(200, false),
-        shaded_pixels::<Depth16>(200, true),
+        shaded_pixels::<NoDepth>((0..200).rev()),
+        shaded_pixels::<Depth16>((0..200).rev()),
+        shaded_pixels::<Depth16>(0..200),
     ];
     println!(
         "row 34, 200 layers, painter's order: {} px shaded; topleft with depth, front to back: {}",
@@ -212,5 +213,16 @@ fn row_34_layers_are_shaded_as_often_as_they_are_seen() {
     // Each layer is nearer than the last: linear in what is covered, and no more than that.
     assert_eq!(back, 200 * ONE);
     assert_eq!(front, ONE);
-    assert_eq!(shaded_pixels::<Depth16>(50, false) * 4, back);
+    // In any order a layer is shaded where it is nearer than all before it, and nowhere else.
+    check(30, &(Just((0..200).collect::<Vec<i32>>()).prop_shuffle(), 1..=200_usize), |(order, count)| {
+        let order = &order[..count];
+        let nearer = (0..count).filter(|&i| order[..i].iter().all(|&before| before > order[i])).count();
+        let shaded = shaded_pixels::<Depth16>(order.iter().copied());
+        let painted = shaded_pixels::<NoDepth>(order.iter().copied());
+        if [shaded, painted] == [nearer as u64 * ONE, count as u64 * ONE] {
+            Ok(())
+        } else {
+            Err(format!("{shaded} px are shaded of {nearer} layers that are nearer, {painted} without depth"))
+        }
+    });
 }

@@ -114,7 +114,7 @@ pub(crate) fn extreme_ratios() -> Worst {
     worst
 }
 
-// Red when 1/w keeps fewer than its 31 bits: `Inverse`, `PerVertexInverse::aligned`.
+// Red when the step of 1/w keeps 24 of its 31 bits: `PerPixel::walk`. The 24 of a corner alone are ample.
 #[test]
 fn row_14_a_1_over_w_of_24_bits_is_not_enough_for_a_ratio_of_400() {
     let worst = extreme_ratios();

@@ -3,7 +3,9 @@
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use topleft::stages::{PerVertexInverse, PixelShader, Run, Shader, Traversal, Uniforms};
-use topleft::{Attribute, Camera, Cull, Depth, DrawList, ListTriangle, Mesh, NoDepth, Pixel as Cell, Pose, Spans, Strip};
+use topleft::{
+    Attribute, Camera, Cull, Depth, DrawList, ListTriangle, Mesh, NoDepth, Pixel as Cell, Pose, Spans, Strip,
+};
 
 /// A cell of a strip that adds up what hits it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -4,6 +4,7 @@ mod transform;
 mod clip;
 mod setup;
 mod raster;
+mod homogeneous;
 mod varying;
 mod shade;
 mod render;

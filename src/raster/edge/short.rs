@@ -38,7 +38,8 @@ impl ShortEdge {
         let (left, right) = (columns.start << SUBPIXEL_BITS, columns.end << SUBPIXEL_BITS);
         // Sign bits: one test for all.
         let beyond = (ax - left) | (bx - left) | (cx - left) | (right - ax) | (right - bx) | (right - cx);
-        let fits = |upper: i32, lower: i32| lower - upper >= LOWEST || first_centre(upper) == first_centre(lower);
+        let fits =
+            |upper: i32, lower: i32| lower - upper >= LOWEST || first_centre(upper) == first_centre(lower);
         setup.is_small()
             && beyond >= 0
             && columns.start >= -COLUMNS
