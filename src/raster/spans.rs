@@ -19,6 +19,7 @@ impl Traversal for Spans {
     #[inline]
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
         match Sides::new(setup, window) {
+            Sides::None => Ok(()),
             Sides::Short(trapezoids) => trapezoids.rows(&window.columns, target),
             Sides::Long(trapezoids) => trapezoids.rows(&window.columns, target),
         }
@@ -27,6 +28,8 @@ impl Traversal for Spans {
 
 /// A triangle's edges. Whatever is drawn between them, this is linked once.
 enum Sides {
+    /// It crosses no row of the window.
+    None,
     Short(Trapezoids<ShortEdge>),
     Long(Trapezoids<Dda>),
 }
@@ -34,10 +37,14 @@ enum Sides {
 impl Sides {
     #[inline(never)]
     fn new(setup: &Setup, window: &Window) -> Self {
-        if ShortEdge::suits(setup, &window.columns) {
-            Self::Short(Trapezoids::new(setup, &window.rows))
+        let rows = setup.rows();
+        let rows = rows.start.max(window.rows.start)..rows.end.min(window.rows.end);
+        if rows.is_empty() {
+            Self::None
+        } else if ShortEdge::suits(setup, &window.columns) {
+            Self::Short(Trapezoids::new(setup, rows))
         } else {
-            Self::Long(Trapezoids::new(setup, &window.rows))
+            Self::Long(Trapezoids::new(setup, rows))
         }
     }
 }
@@ -56,11 +63,10 @@ struct Trapezoids<S> {
 }
 
 impl<S: Edge> Trapezoids<S> {
+    /// In some rows, of which there is one.
     #[inline]
-    fn new(setup: &Setup, rows: &Range<i32>) -> Self {
+    fn new(setup: &Setup, Range { start: top, end: bottom }: Range<i32>) -> Self {
         let [a, b, c] = setup.points();
-        let extent = setup.rows();
-        let (top, bottom) = (extent.start.max(rows.start), extent.end.min(rows.end));
         let turn = first_centre(b.y.to_bits()).max(top).min(bottom);
         let long = S::new(a, c, top);
         let upper = if top < turn { S::new(a, b, top) } else { long };
