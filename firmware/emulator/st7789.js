@@ -146,15 +146,19 @@ export class St7789 {
         return x >= 0 && x < WIDTH && y >= 0 && y < HEIGHT ? (y * WIDTH + x) * 3 : undefined;
     }
 
-    /** The top left of the glass as RGB565 words, row by row, the low byte first: what one sees, which is black while it is
-     *  off. The glass is an IPS panel: it shows the negative of its memory unless it is told to invert it. */
-    picture(width, height) {
+    /**
+     * The top left of the glass as RGB565 words, row by row, the low byte first: what one sees, which is black while it is
+     * off. A glass that lies on its side is turned by a quarter, clockwise. It is an IPS panel: it shows the negative of
+     * its memory unless it is told to invert it.
+     */
+    picture(width, height, onItsSide = false) {
         const bytes = new Uint8Array(width * height * 2);
         if (!this.on || !this.awake) {
             return bytes;
         }
         for (let at = 0; at < width * height; at++) {
-            const from = (Math.floor(at / width) * WIDTH + (at % width)) * 3;
+            const [x, y] = [at % width, Math.floor(at / width)];
+            const from = onItsSide ? (x * WIDTH + WIDTH - 1 - y) * 3 : (y * WIDTH + x) * 3;
             let [red, green, blue] = this.memory.subarray(from, from + 3);
             if (this.madctl & MADCTL.BGR) {
                 [red, blue] = [blue, red];

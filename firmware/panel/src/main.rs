@@ -1,7 +1,8 @@
 //! Compares the frames of an emulated panel with those that the host draws, byte for byte, and prints a table of them.
 //!
 //! Usage: `panel FRAMES [--pictures FOLDER] [--check-pictures FOLDER] [--gif FILE]`, where `FRAMES` is what
-//! `emulator/panel.js` wrote. Exit status 1 where something differs, 2 where something cannot be read or written.
+//! `emulator/panel.js` wrote; or `panel --scenes`, for how many scenes there are. Exit status 1 where something differs, 2
+//! where something cannot be read or written.
 
 mod host;
 mod picture;
@@ -17,7 +18,8 @@ struct Options {
     gif: Option<PathBuf>,
 }
 
-const USAGE: &str = "Usage: panel FRAMES [--pictures FOLDER] [--check-pictures FOLDER] [--gif FILE]";
+const USAGE: &str =
+    "Usage: panel FRAMES [--pictures FOLDER] [--check-pictures FOLDER] [--gif FILE], or panel --scenes";
 
 /// Why there is no table.
 enum Failure {
@@ -54,6 +56,10 @@ fn options(mut words: impl Iterator<Item = String>) -> Result<Options, Failure> 
 }
 
 fn run(options: &Options) -> Result<(), Failure> {
+    if options.frames.as_os_str() == "--scenes" {
+        println!("{}", host::scenes());
+        return Ok(());
+    }
     let table = read(&options.frames.join("frames.csv"))?;
     let table = String::from_utf8_lossy(&table);
     let mut host = host::Host::default();

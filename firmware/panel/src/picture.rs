@@ -76,8 +76,11 @@ pub(crate) fn read_png(path: &Path) -> Result<Vec<u8>, String> {
     Ok(pixels)
 }
 
-/// An animation without end, 4 hundredths of a second a frame, in the 256 colours that are seen most, or those next to
-/// them.
+/// Frames of an animation that are one picture of it, and how long it stays: 30 frames a second.
+const EVERY: usize = 4;
+const HUNDREDTHS: u16 = 13;
+
+/// An animation without end, in the 256 colours that are seen most, or those next to them.
 pub(crate) fn write_gif(path: &Path, frames: &[Vec<u16>]) -> Result<(), String> {
     let palette = palette(frames);
     let flat: Vec<u8> = palette.iter().flat_map(|&word| colour(word)).collect();
@@ -85,11 +88,11 @@ pub(crate) fn write_gif(path: &Path, frames: &[Vec<u16>]) -> Result<(), String> 
     let mut encoder = named(path, gif::Encoder::new(file, WIDTH as u16, PANEL.height as u16, &flat))?;
     named(path, encoder.set_repeat(gif::Repeat::Infinite))?;
     let mut nearest = HashMap::new();
-    for words in frames {
+    for words in frames.iter().step_by(EVERY) {
         let indices: Vec<u8> =
             words.iter().map(|&word| *nearest.entry(word).or_insert_with(|| index(&palette, word))).collect();
         let mut frame = gif::Frame::from_indexed_pixels(WIDTH as u16, PANEL.height as u16, indices, None);
-        frame.delay = 4;
+        frame.delay = HUNDREDTHS;
         named(path, encoder.write_frame(&frame))?;
     }
     Ok(())

@@ -5,13 +5,13 @@ use scenes::{SCENES, Scene, View};
 use topleft::{Depth, DrawError, DrawList, ListStorage, Pixel, Turn};
 
 /// Pixels of the panel.
-pub const PANEL: Size = Size::new(240, 240);
+pub const PANEL: Size = if cfg!(feature = "landscape") { Size::new(320, 240) } else { Size::new(240, 240) };
 /// Rows of a strip: the more, the fewer triangles are set up twice.
 pub const STRIP_ROWS: usize = 20;
 /// Pixels of a strip.
 pub const STRIP_CELLS: usize = PANEL.width as usize * STRIP_ROWS;
 /// Words of a list's vertices, and its triangles: enough for most scenes. What does not fit is counted on the panel.
-pub const WORDS: usize = 3200;
+pub const WORDS: usize = 3600;
 /// The triangles of a list.
 pub const TRIANGLES: usize = 1100;
 

@@ -2,7 +2,7 @@
 
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
-use mipidsi::options::ColorInversion;
+use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use mipidsi::{Builder, Display};
 use rp2040_hal::clocks::init_clocks_and_plls;
 use rp2040_hal::dma::{CH0, Channel, DMAExt};
@@ -84,7 +84,12 @@ impl<'b> Board<'b> {
         let bus = bus.init(&mut chip.RESETS, peripheral_hz.Hz(), BUS_HZ.Hz(), MODE);
         let interface = SpiInterface::new(Only(bus), pins.gpio8.into_push_pull_output(), batch);
         let panel = Builder::new(ST7789, interface)
-            .display_size(PANEL.width as u16, PANEL.height as u16)
+            .display_size(PANEL.height as u16, PANEL.width as u16)
+            .orientation(if PANEL.width > PANEL.height {
+                Orientation::new().rotate(Rotation::Deg90)
+            } else {
+                Orientation::new()
+            })
             // Panels of this kind show the negative of what they are sent, unless they are told to invert it.
             .invert_colors(ColorInversion::Inverted)
             .reset_pin(pins.gpio12.into_push_pull_output())

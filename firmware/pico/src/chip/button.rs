@@ -5,8 +5,8 @@ use rp2040_hal::Timer;
 use rp2040_hal::fugit::{ExtU64, MicrosDurationU64};
 use rp2040_hal::timer::Instant;
 
-/// How long a scene is shown.
-const SHOWN: MicrosDurationU64 = MicrosDurationU64::secs(10);
+/// How long a scene is shown: a full turn at 13 frames a second.
+const SHOWN: MicrosDurationU64 = MicrosDurationU64::secs(20);
 
 /// A button that is pressed, or a scene that was shown long enough.
 pub struct Next<B> {
