@@ -115,6 +115,7 @@ macro_rules! image {
 
         #[cfg(not(target_os = "none"))]
         fn main() {
+            let _: fn(&'static mut footprint::Memory) = $draw;
             eprintln!("this is an image for a chip: firmware/measure.sh builds it");
             std::process::exit(2);
         }

@@ -70,16 +70,16 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             icosphere::make(3),
         ),
         mesh(
+            "island_boats",
+            "ISLAND_BOATS",
+            "Boats on their way round the island: a colour a face.",
+            island::boats(),
+        ),
+        mesh(
             "island_land",
             "ISLAND_LAND",
             "An island on a board of radius 1, in the colours of its height; the sea is at y = 0.",
             island::land(),
-        ),
-        mesh(
-            "island_sea",
-            "ISLAND_SEA",
-            "The sea from the island's coast to the edge of the board.",
-            island::sea(),
         ),
         mesh("island_lighthouse", "ISLAND_LIGHTHOUSE", "The island's lighthouse.", island::lighthouse()),
         mesh(
@@ -89,10 +89,10 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             island::props(),
         ),
         mesh(
-            "island_boats",
-            "ISLAND_BOATS",
-            "Boats on their way round the island: a colour a face.",
-            island::boats(),
+            "island_sea",
+            "ISLAND_SEA",
+            "The sea from the island's coast to the edge of the board.",
+            island::sea(),
         ),
         mesh(
             "teapot",
