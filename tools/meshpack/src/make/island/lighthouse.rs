@@ -16,10 +16,11 @@ const IRON: [u8; 3] = [60, 62, 74];
 const LAMP: [u8; 3] = [255, 224, 110];
 
 /// Its outline from the top down: heights above its foot and radii; and the colour from there to the next.
-const OUTLINE: [(f64, f64, [u8; 3]); 8] = [
+const OUTLINE: [(f64, f64, [u8; 3]); 9] = [
     (0.60, 0.0, RED),
-    (0.51, 0.066, LAMP),
-    (0.44, 0.042, IRON),
+    (0.515, 0.068, IRON),
+    (0.508, 0.045, LAMP),
+    (0.44, 0.045, IRON),
     (0.425, 0.072, WHITE),
     (0.32, 0.060, RED),
     (0.21, 0.067, WHITE),
