@@ -1,4 +1,5 @@
 //! The promises on the crate's front page: the tests that they name are there, and their figures are those of the tables.
+//! So are the figures of the README.
 
 use std::fs;
 use std::path::Path;
@@ -52,14 +53,11 @@ fn wrong([promise, row, measured, bound, unit]: &[String; 5]) -> Option<String> 
             let metric = line.iter().find(|(column, _)| column == "metric").map(|(_, cell)| cell.as_str());
             line[..3].iter().map(|(_, cell)| cell.as_str()).chain(metric).eq(keys.iter().copied())
         }
-        _ => line[..4].iter().map(|(_, cell)| cell.as_str()).eq(keys.iter().copied()),
+        _ => line[..keys.len()].iter().map(|(_, cell)| cell.as_str()).eq(keys.iter().copied()),
     };
     let lines: Vec<_> = table(name).into_iter().filter(named).collect();
     let [line] = &lines[..] else {
-        return Some(format!(
-            "promise {promise}: docs/measured/{name}.csv has {} rows for {keys:?}",
-            lines.len()
-        ));
+        return Some(format!("{promise}: docs/measured/{name}.csv has {} rows for {keys:?}", lines.len()));
     };
     let cell = |name: &str| line.iter().find(|(column, _)| column == name).map(|(_, cell)| cell.clone());
     let found = match name {
@@ -67,8 +65,7 @@ fn wrong([promise, row, measured, bound, unit]: &[String; 5]) -> Option<String> 
         _ => [cell(unit), Some(String::new()), Some(unit.clone())],
     };
     let said = [measured, bound, unit].map(|cell| Some(cell.clone()));
-    (found != said)
-        .then(|| format!("promise {promise}, {row}: src/lib.rs says {said:?}, the table {found:?}"))
+    (found != said).then(|| format!("{promise}, {row}: the page says {said:?}, the table {found:?}"))
 }
 
 /// Turned red by: a table that is measured anew and differs, a row that is no longer there.
@@ -79,6 +76,39 @@ fn the_figures_of_the_front_page_are_those_of_the_tables() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     for promise in ["1", "2", "3", "5"] {
         assert!(figures.iter().any(|figure| figure[0] == promise), "promise {promise} has no figure");
+    }
+}
+
+/// The README's lines between a heading and the next.
+fn section(heading: &str) -> String {
+    let page = read("README.md");
+    let (_, after) =
+        page.split_once(&format!("\n## {heading}\n")).unwrap_or_else(|| panic!("no section {heading}"));
+    after.split("\n## ").next().unwrap_or_default().to_owned()
+}
+
+/// Turned red by: a table that is measured anew and differs, a row that is no longer there, a column that is renamed.
+#[test]
+fn the_figures_of_the_readme_are_those_of_the_tables() {
+    let section = section("What it costs");
+    let rows: Vec<Vec<&str>> = section
+        .lines()
+        .filter(|line| line.starts_with('|'))
+        .skip(2)
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    let wrong: Vec<String> = rows
+        .iter()
+        .filter_map(|row| {
+            let [what, said, unit, place] = row[..] else {
+                return Some(format!("four cells are needed: {row:?}"));
+            };
+            wrong(&[what, place, said, "", unit].map(str::to_owned))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "README.md, what it costs:\n{}", wrong.join("\n"));
+    for table in ["panel: ", "ram: ", "flash: ", "rp2040: "] {
+        assert!(rows.iter().any(|row| row[3].starts_with(table)), "no figure of {table}");
     }
 }
 

@@ -53,6 +53,16 @@ export class Machine {
         return this.status;
     }
 
+    /** The same, and whatever the chip's own clock moves: its timer, its buses, its DMA. */
+    runOnTime() {
+        const { rp2040 } = this;
+        const { core, clock } = rp2040;
+        while (this.status === undefined) {
+            clock.tick((core.executeInstruction() / rp2040.clkSys) * 1e9);
+        }
+        return this.status;
+    }
+
     semihosting(code) {
         if (code !== BKPT_SEMIHOSTING) {
             throw new Error(`a breakpoint ${code} that is not semihosting`);

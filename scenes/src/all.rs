@@ -2,6 +2,7 @@
 
 use topleft::{Cull, Length, Material, Mesh, Texture, Turn};
 
+use crate::demo::DEMO;
 use crate::mesh::{CUBE, FLOOR, GRID240, ICOSPHERE_FINE, TEAPOT, TORUS_KNOT};
 use crate::scene::{Camera, Object, Scene, Spin};
 use crate::shade::{Look, Method, Shade};
@@ -9,6 +10,7 @@ use crate::texture::{BRICK, CHECKER, TEST_CARD};
 
 /// All scenes, by name.
 pub const SCENES: &[Scene] = &[
+    DEMO,
     Scene {
         name: "teapot",
         about: "Newell's teapot over a checkered floor",

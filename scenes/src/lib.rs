@@ -7,6 +7,7 @@ pub mod mesh;
 pub mod texture;
 
 mod all;
+mod demo;
 mod scene;
 mod shade;
 

@@ -68,6 +68,8 @@ pub enum Spin {
     Still,
     /// About the y axis.
     Upright,
+    /// About the y axis, twice as fast.
+    Twice,
     /// About the y axis, leaning over.
     Tumbling,
 }
@@ -113,14 +115,15 @@ impl Scene {
         size: Size,
         view: &View,
     ) -> Result<(), DrawError> {
+        // Once a frame: they are made of floats.
+        let cameras = (self.camera.orbiting(size, view), self.camera.front(size));
         let mut left_out = (0, 0);
         for object in self.objects {
             list.set_cull(object.cull);
             let pose = object.pose(view.turn);
             let shade = view.shade.unwrap_or(object.look.shade);
             let method = view.method.unwrap_or(object.look.method);
-            let drawing =
-                Drawing { list: &mut *list, size, camera: self.camera, view, mesh: object.mesh, pose };
+            let drawing = Drawing { list: &mut *list, cameras: &cameras, mesh: object.mesh, pose };
             match object.look.shader(shade, method, drawing) {
                 Err(DrawError::Full { triangles, words }) => {
                     left_out = (left_out.0 + triangles, left_out.1 + words);
@@ -151,6 +154,7 @@ impl Object {
         let pose = match self.spin {
             Spin::Still => Pose::new(),
             Spin::Upright => Pose::new().turned_y(turn),
+            Spin::Twice => Pose::new().turned_y(turn + turn),
             Spin::Tumbling => Pose::new().turned_x(Turn::from_degrees(35)).turned_y(turn),
         };
         pose.scaled(self.scale).at(self.at)
@@ -176,11 +180,10 @@ impl Camera {
 }
 
 /// An object on its way into a list.
-struct Drawing<'l, 'a, 'v, P, D: Depth, T> {
+struct Drawing<'l, 'a, 'c, P, D: Depth, T> {
     list: &'l mut DrawList<'a, P, D, T>,
-    size: Size,
-    camera: Camera,
-    view: &'v View,
+    /// One of them.
+    cameras: &'c (Option<Perspective>, Option<Orthographic>),
     mesh: &'static Mesh<'static>,
     pose: Pose,
 }
@@ -189,12 +192,12 @@ impl<'a, P: Pixel, D: Depth, T: Traversal> WithShader<'a, P> for Drawing<'_, 'a,
     type Output = Result<(), DrawError>;
 
     fn with<S: Shader<'a, P>>(self, shader: &S) -> Self::Output {
-        let Self { list, size, camera, view, mesh, pose } = self;
-        if let Some(camera) = camera.orbiting(size, view) {
-            list.draw(&camera, mesh, &pose, shader)?;
+        let Self { list, cameras: (orbiting, front), mesh, pose } = self;
+        if let Some(camera) = orbiting {
+            list.draw(camera, mesh, &pose, shader)?;
         }
-        if let Some(camera) = camera.front(size) {
-            list.draw(&camera, mesh, &pose, shader)?;
+        if let Some(camera) = front {
+            list.draw(camera, mesh, &pose, shader)?;
         }
         Ok(())
     }

@@ -78,7 +78,8 @@ impl Method {
 
 /// A sun above the viewer's left shoulder.
 pub(crate) fn sun() -> Sun {
-    Sun::new([Length::lit("-0.5"), Length::lit("0.9"), Length::lit("0.7")])
+    const TOWARDS: [Length; 3] = [Length::lit("-0.5"), Length::lit("0.9"), Length::lit("0.7")];
+    Sun::new(TOWARDS)
 }
 
 /// Calls back with the shader for a way of shading: each is a type of its own.

@@ -77,6 +77,10 @@ fn shown(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact: [f64; 3])
     let look = &scene.objects[patch.object].look;
     match look.shade {
         Shade::Plain => Some(Shown { right: ours == to_rgb565(exact), off: HALF_STEP }),
+        Shade::Flat => {
+            let (off, apart) = (HALF_STEP.map(|step| step + LIT), apart(from_rgb565(ours), exact));
+            Some(Shown { right: (0..3).all(|k| apart[k] <= off[k]), off })
+        }
         Shade::Gouraud => {
             // Mixed at the guard rectangle, colours are not on one plane any more.
             if patch.clipped {
@@ -138,7 +142,9 @@ fn drawn(scene: &Scene, size: Size, view: &scenes::View) -> (Vec<Seen>, Vec<u16>
 pub(crate) fn of_scene(scene: &Scene) -> Vec<Row> {
     let mut rows = Vec::new();
     for (turn, size) in [(20, Size::new(240, 240)), (77, Size::new(160, 100))] {
-        let view = scenes::View { turn: Turn::from_degrees(turn), ..scenes::View::default() };
+        // The bounds of texels are for this method, whichever the scene asks for.
+        let method = Some(scenes::Method::PerPixel);
+        let view = scenes::View { turn: Turn::from_degrees(turn), method, ..scenes::View::default() };
         let frame_of = Frame::new(scene, size, &view);
         let (faces, colours, depths) = drawn(scene, size, &view);
         let name = format!("{} at {turn} degrees {}x{}", scene.name, size.width, size.height);

@@ -72,18 +72,17 @@ pub(crate) fn pose_of(object: &Object, turn: Turn) -> Pose {
 fn look_of(object: &Object, pose: &Pose) -> Look<'static> {
     let sun = normalise(["-0.5", "0.9", "0.7"].map(|c| length(Length::from_str(c).unwrap())));
     let light = Light { towards: pose.direction_to_model(sun), ambient: 0.2, diffuse: 0.8 };
-    let lit = Some((light, Normals::Vertex));
+    let (lit, face_lit) = (Some((light, Normals::Vertex)), Some((light, Normals::Face)));
     let plain = |colours: Base<'static>| match object.look.material {
         Material::Colour(colour) => Base::Uniform(colour),
         Material::OfMesh => colours,
     };
-    assert_eq!(object.look.method, scenes::Method::PerPixel, "the bounds below are for this method");
     let (base, light) = match object.look.shade {
         Shade::Plain => (plain(Base::FaceColours), None),
         Shade::Gouraud => (plain(Base::VertexColours), lit),
         Shade::Textured => (Base::Texture(object.look.texture), None),
         Shade::Lit => (Base::Texture(object.look.texture), lit),
-        Shade::Flat => unreachable!("no scene is shaded so by itself"),
+        Shade::Flat => (plain(Base::FaceColours), face_lit),
     };
     let cull = match object.cull {
         Cull::Back => reference::setup::Cull::Back,

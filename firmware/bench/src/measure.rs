@@ -102,7 +102,8 @@ impl<'c> Bench<'c> {
         (end - start).saturating_sub(self.overhead)
     }
 
-    /// Measures a case and reports its row.
+    /// Measures a case and reports its row. Not inlined: the lists of all cases at once would not leave room for a frame.
+    #[inline(never)]
     pub(crate) fn case<C: Case>(&mut self, case: &C, buffers: &mut Buffers<'_>) {
         let Buffers { colours, depths, words, triangles } = buffers;
         let background = <u16 as topleft::Pixel>::from_rgb(case.background());

@@ -4,6 +4,7 @@ mod cube;
 mod floor;
 mod grid;
 mod icosphere;
+mod island;
 mod surface;
 mod teapot;
 mod texture;
@@ -67,6 +68,31 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             "ICOSPHERE_FINE",
             "A sphere of radius 1, an icosahedron split three times.",
             icosphere::make(3),
+        ),
+        mesh(
+            "island_boats",
+            "ISLAND_BOATS",
+            "Boats on their way round the island: a colour a face.",
+            island::boats(),
+        ),
+        mesh(
+            "island_land",
+            "ISLAND_LAND",
+            "An island on a board of radius 1, in the colours of its height; the sea is at y = 0.",
+            island::land(),
+        ),
+        mesh("island_lighthouse", "ISLAND_LIGHTHOUSE", "The island's lighthouse.", island::lighthouse()),
+        mesh(
+            "island_props",
+            "ISLAND_PROPS",
+            "What stands on the island, and the edge of its board: a colour a face.",
+            island::props(),
+        ),
+        mesh(
+            "island_sea",
+            "ISLAND_SEA",
+            "The sea from the island's coast to the edge of the board.",
+            island::sea(),
         ),
         mesh(
             "teapot",

@@ -1,0 +1,123 @@
+//! What the images share: a mesh, two cameras, and the memory that is drawn with.
+//!
+//! Each image of `src/bin` draws a cube in one way. `nothing` has the same start, mesh and memory, and draws nothing: what
+//! another has more is the code of the way to draw, and of whatever else only that code calls.
+#![no_std]
+
+use core::hint::black_box;
+
+use embedded_graphics_core::geometry::Size;
+use topleft::stages::Shader;
+use topleft::{Camera, Depth, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip};
+
+/// Pixels of the panel.
+pub const PANEL: Size = Size::new(240, 240);
+/// Pixels of a strip of 16 rows.
+pub const CELLS: usize = 240 * 16;
+
+const fn matrix(rows: [[i32; 4]; 4]) -> Matrix {
+    let mut elements = [[Length::ZERO; 4]; 4];
+    let mut i = 0;
+    while i < 16 {
+        elements[i / 4][i % 4] = Length::from_bits(rows[i / 4][i % 4]);
+        i += 1;
+    }
+    Matrix::new(elements)
+}
+
+/// Without perspective: the cube fills half of the panel.
+pub const FRONT: MatrixCamera<false> =
+    MatrixCamera::new(PANEL, matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 1], [0, 0, 0, 2]]));
+/// With perspective: 90 degrees, the cube in the middle of what is seen.
+pub const EYE: MatrixCamera<true> =
+    MatrixCamera::new(PANEL, matrix([[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, -4, 8], [0, 0, -3, 9]]));
+
+/// A list's storage and a strip's colours and depths. All images link it, whatever they use of it.
+#[derive(Debug)]
+pub struct Memory {
+    /// Of the list's vertices.
+    pub words: [u32; 200],
+    /// Of the list.
+    pub triangles: [ListTriangle; 24],
+    /// Of the strip.
+    pub colours: [u16; CELLS],
+    /// Of the strip.
+    pub depths: [u16; CELLS],
+}
+
+impl Memory {
+    /// Memory that nothing is drawn in.
+    pub const fn new() -> Self {
+        Self {
+            words: [0; 200],
+            triangles: [ListTriangle::EMPTY; 24],
+            colours: [0; CELLS],
+            depths: [0; CELLS],
+        }
+    }
+}
+
+impl Default for Memory {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The cube, of which the compiler knows nothing.
+pub fn mesh() -> &'static Mesh<'static> {
+    black_box(&scenes::mesh::CUBE)
+}
+
+/// Draws the cube into a list and each strip of it.
+pub fn draw<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
+    list: &mut DrawList<'a, u16, D>,
+    strip: &mut Strip<'_, u16, D>,
+    camera: &C,
+    shader: &S,
+) {
+    let turned = Pose::new().turned_y(black_box(topleft::Turn::from_degrees(30)));
+    if list.draw(black_box(camera), mesh(), &turned, shader).is_ok() {
+        for top in (0..PANEL.height as i32).step_by(usize::from(strip.height())) {
+            strip.clear();
+            list.render(top..top + i32::from(strip.height()), strip);
+            black_box(strip.colours());
+        }
+    }
+}
+
+/// An image: what a chip needs to start it, and its one way to draw.
+#[macro_export]
+macro_rules! image {
+    ($draw:expr) => {
+        #[cfg(target_os = "none")]
+        mod image {
+            use super::*;
+            use cortex_m as _;
+            use panic_halt as _;
+
+            /// The boot ROM of an RP2040 copies it to RAM, and it sets up the flash; elsewhere it is left out.
+            #[cfg(armv6m)]
+            #[expect(unsafe_code, reason = "the boot ROM wants it in the first 256 bytes of flash")]
+            #[unsafe(link_section = ".boot2")]
+            #[used]
+            static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
+
+            #[cortex_m_rt::entry]
+            fn main() -> ! {
+                static mut MEMORY: footprint::Memory = footprint::Memory::new();
+                let draw: fn(&'static mut footprint::Memory) = $draw;
+                draw(MEMORY);
+                loop {
+                    cortex_m::asm::wfi();
+                }
+            }
+        }
+
+        #[cfg(not(target_os = "none"))]
+        fn main() {
+            let _: fn(&'static mut footprint::Memory) = $draw;
+            eprintln!("this is an image for a chip: firmware/measure.sh builds it");
+            std::process::exit(2);
+        }
+    };
+}
