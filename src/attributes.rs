@@ -36,6 +36,36 @@ pub trait Attributes: Words {
     fn mix(self, to: Self, at: Fraction) -> Self;
 }
 
+/// What a vertex carries for its shader, in words whatever it is: so that clipping is linked once, not for each shader.
+pub(crate) type Carried = [u32; MAX_WORDS];
+
+/// Words that a shader's vertex can carry.
+const MAX_WORDS: usize = 4;
+
+/// In words. More than four do not compile.
+#[inline]
+pub(crate) fn carried<A: Words>(attributes: A) -> Carried {
+    const { assert!(A::WORDS <= MAX_WORDS, "a vertex carries at most four words for its shader") };
+    let mut carried = [0; MAX_WORDS];
+    let mut words = carried.iter_mut();
+    attributes.store(&mut |word| {
+        if let Some(place) = words.next() {
+            *place = word;
+        }
+    });
+    carried
+}
+
+/// What a vertex between two others carries.
+#[inline]
+pub(crate) fn mixed<A: Attributes>(from: &Carried, to: &Carried, at: Fraction) -> Carried {
+    let load = |words: &Carried| A::load(&mut words.iter().copied());
+    match (load(from), load(to)) {
+        (Some(from), Some(to)) => carried(from.mix(to, at)),
+        _ => *from,
+    }
+}
+
 impl Words for () {
     const WORDS: usize = 0;
 

@@ -7,18 +7,21 @@
 
 use heapless::Vec;
 
-use crate::attributes::{Attributes, Fraction};
+use crate::attributes::{Carried, Fraction};
 use crate::transform::{Position, Projection};
 
 /// A vertex in clip space with what it carries.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ClipVertex<A> {
+pub(crate) struct ClipVertex {
     pub(crate) position: Position,
-    pub(crate) attributes: A,
+    pub(crate) carried: Carried,
 }
 
+/// What a vertex between two others carries.
+pub(crate) type Mix<'m> = &'m dyn Fn(&Carried, &Carried, Fraction) -> Carried;
+
 /// Three vertices, and one more a plane.
-pub(crate) type Polygon<A> = Vec<ClipVertex<A>, 9>;
+pub(crate) type Polygon = Vec<ClipVertex, 9>;
 
 /// The planes that a vertex lies outside of, a bit each: near, far, left, right, top, bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,20 +50,21 @@ fn distances(at: &Position, projection: &Projection) -> [i64; 6] {
 }
 
 /// What is inside all planes that `crossed` names, in the order of the triangle.
-pub(crate) fn clip<A: Attributes>(
-    triangle: [ClipVertex<A>; 3],
+pub(crate) fn clip(
+    triangle: [ClipVertex; 3],
     crossed: Outcode,
     projection: &Projection,
-) -> Polygon<A> {
+    mix: Mix<'_>,
+) -> Polygon {
     let mut polygon = Polygon::new();
     // Nine places hold three vertices, and each plane adds at most one to a convex polygon: `push` cannot fail.
     let _ = polygon.extend_from_slice(&triangle);
     for plane in 0..6 {
         if crossed.0 >> plane & 1 != 0 {
-            let distance = |vertex: &ClipVertex<A>| {
+            let distance = |vertex: &ClipVertex| {
                 distances(&vertex.position, projection).get(plane).copied().unwrap_or_default()
             };
-            polygon = cut(&polygon, distance);
+            polygon = cut(&polygon, distance, mix);
         }
     }
     polygon
@@ -68,10 +72,7 @@ pub(crate) fn clip<A: Attributes>(
 
 /// The same polygon, its least vertex by `key` first: a fan from there is the same whichever vertex the polygon was
 /// found from, and whichever way round.
-pub(crate) fn from_least<A: Attributes, K: Ord>(
-    polygon: &Polygon<A>,
-    key: impl Fn(&ClipVertex<A>) -> K,
-) -> Polygon<A> {
+pub(crate) fn from_least<K: Ord>(polygon: &Polygon, key: impl Fn(&ClipVertex) -> K) -> Polygon {
     let least =
         polygon.iter().enumerate().min_by_key(|(_, vertex)| key(vertex)).map_or(0, |(place, _)| place);
     let mut turned = Polygon::new();
@@ -83,7 +84,7 @@ pub(crate) fn from_least<A: Attributes, K: Ord>(
 }
 
 /// The part of a polygon where `distance` is not negative.
-fn cut<A: Attributes>(polygon: &Polygon<A>, distance: impl Fn(&ClipVertex<A>) -> i64) -> Polygon<A> {
+fn cut(polygon: &Polygon, distance: impl Fn(&ClipVertex) -> i64, mix: Mix<'_>) -> Polygon {
     let mut kept = Polygon::new();
     let Some(mut previous) = polygon.last() else { return kept };
     let mut before = distance(previous);
@@ -91,9 +92,9 @@ fn cut<A: Attributes>(polygon: &Polygon<A>, distance: impl Fn(&ClipVertex<A>) ->
         let here = distance(vertex);
         if (before < 0) != (here < 0) {
             let crossing = if before < 0 {
-                crossing(vertex, here, previous, before)
+                crossing(vertex, here, previous, before, mix)
             } else {
-                crossing(previous, before, vertex, here)
+                crossing(previous, before, vertex, here, mix)
             };
             let _ = kept.push(crossing);
         }
@@ -106,12 +107,13 @@ fn cut<A: Attributes>(polygon: &Polygon<A>, distance: impl Fn(&ClipVertex<A>) ->
 }
 
 /// Where the edge from `inside` to `outside` crosses the plane.
-fn crossing<A: Attributes>(
-    inside: &ClipVertex<A>,
+fn crossing(
+    inside: &ClipVertex,
     distance_inside: i64,
-    outside: &ClipVertex<A>,
+    outside: &ClipVertex,
     distance_outside: i64,
-) -> ClipVertex<A> {
+    mix: Mix<'_>,
+) -> ClipVertex {
     let whole = distance_inside.abs_diff(distance_outside);
     let part = distance_inside.unsigned_abs();
     // 30 fraction bits. Only here is a 64-bit division worth its price: few triangles are clipped.
@@ -127,6 +129,6 @@ fn crossing<A: Attributes>(
             z: at.mix(from.z, to.z),
             w: at.mix(from.w, to.w),
         },
-        attributes: inside.attributes.mix(outside.attributes, at),
+        carried: mix(&inside.carried, &outside.carried, at),
     }
 }

@@ -10,6 +10,7 @@
 use crate::attributes::Words;
 use crate::camera::Camera;
 use crate::math::format::{Clip, SUBPIXEL_BITS};
+use crate::math::matrix::Matrix;
 use crate::math::product;
 use crate::math::recip::{self, Reciprocal};
 use crate::mesh::Mesh;
@@ -40,9 +41,14 @@ impl Transform {
     /// # Errors
     /// The camera's target is too large.
     pub(crate) fn new<C: Camera>(camera: &C, mesh: &Mesh<'_>, pose: &Pose) -> Result<Self, TooLarge> {
-        let viewport = camera.viewport()?;
+        Ok(Self::through(camera.viewport()?, &camera.matrix(), mesh, pose))
+    }
+
+    /// Whatever camera it is, this is linked once.
+    #[inline(never)]
+    fn through(viewport: Viewport, matrix: &Matrix, mesh: &Mesh<'_>, pose: &Pose) -> Self {
         let projection = Projection::centred(viewport);
-        let whole = camera.matrix().times(&pose.of_box(mesh.centre(), mesh.half()));
+        let whole = matrix.times(&pose.of_box(mesh.centre(), mesh.half()));
         // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
         let mut rows = [0, 1, 2, 3].map(|row| whole.row(row).map(i64::from));
         let [x, y, ..] = &mut rows;
@@ -65,7 +71,7 @@ impl Transform {
         let rows = rows
             .map(|[a, b, c, t]| [moved(a) << 1, moved(b) << 1, moved(c) << 1, moved(t)].map(|e| e as i32));
         let [_, _, _, [.., w]] = rows;
-        Ok(Self { rows, projection, level_inverse: Projection::inverse(w) })
+        Self { rows, projection, level_inverse: Projection::inverse(w) }
     }
 
     /// A vertex of the mesh in clip space.

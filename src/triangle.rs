@@ -4,6 +4,7 @@ use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
+use crate::attributes::{Words, carried, mixed};
 use crate::clip::{ClipVertex, Outcode, clip, from_least};
 use crate::depth::NoDepth;
 use crate::math::format::{Attribute, SUBPIXELS};
@@ -113,16 +114,16 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
 ) -> Result<(), D::Error> {
     let area = target.bounding_box();
     let projection = Projection::of_pixels(Viewport::largest(area.size));
-    let ([a, b, c], [p, q, r]) = (points.map(position), attributes);
-    let corners = [(a, p), (b, q), (c, r)].map(|(position, attributes)| ClipVertex { position, attributes });
+    let ([a, b, c], [p, q, r]) = (points.map(position), attributes.map(carried));
+    let corners = [(a, p), (b, q), (c, r)].map(|(position, carried)| ClipVertex { position, carried });
     let codes = [a, b, c].map(|at| Outcode::new(&at, &projection).0);
     let [d, e, f] = codes;
     if d & e & f != 0 {
         return Ok(());
     }
-    let snap =
-        |vertex: &ClipVertex<S::Vertex>| projection.project(&vertex.position, Projection::inverse(ONE));
-    let polygon = from_least(&clip(corners, Outcode(d | e | f), &projection), |vertex| {
+    let snap = |vertex: &ClipVertex| projection.project(&vertex.position, Projection::inverse(ONE));
+    let polygon = clip(corners, Outcode(d | e | f), &projection, &mixed::<S::Vertex>);
+    let polygon = from_least(&polygon, |vertex| {
         let at = vertex.position;
         (snap(vertex).order(), at.x, at.y)
     });
@@ -132,11 +133,12 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     for last in fan {
         let vertices = [first, middle, last];
         let order = canonical(vertices.map(snap)).map(|i| vertices.get(i).copied().unwrap_or(first));
-        if let Some(setup) = Setup::sorted(order.map(snap)) {
+        let [a, b, c] = order.map(|vertex| S::Vertex::load(&mut vertex.carried.iter().copied()));
+        if let (Some(setup), Some(a), Some(b), Some(c)) = (Setup::sorted(order.map(snap)), a, b, c) {
             let vertices = Vertices {
                 depths: [(); 3],
                 inverses: [PerVertexInverse::ONE; 3],
-                attributes: order.map(|vertex| vertex.attributes),
+                attributes: [a, b, c],
                 colour,
             };
             let mut display = Display { origin: area.top_left, window: window.clone(), target: &mut *target };

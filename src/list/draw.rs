@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::render::{self, stride};
 use super::{DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
-use crate::attributes::Words;
+use crate::attributes::{Carried, Fraction, Words, carried, mixed};
 use crate::camera::Camera;
 use crate::clip::{ClipVertex, Outcode, Polygon, clip, from_least};
 use crate::depth::Depth;
@@ -43,18 +43,27 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let viewport = transform.projection.viewport;
         self.size = [viewport.width(), viewport.height()];
         self.stats.faces += faces;
-        let drawing = Drawing::<C, S, P, D> {
-            local: shader.local(mesh, pose),
+        let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
+        let drawing = Drawing::<D> {
             transform,
             mesh,
-            shader,
+            shaded: &shaded,
+            layout: Layout::of::<C, P, D, S::Pixel>(),
             kept,
             base,
             types: PhantomData,
         };
+        self.add(&drawing, before)
+    }
+
+    /// Adds a mesh: whatever its shader and its camera are, this is linked once.
+    #[inline(never)]
+    fn add(&mut self, drawing: &Drawing<'_, D>, before: usize) -> Result<(), DrawError> {
+        let &Drawing { mesh, layout: Layout { stride, .. }, base, .. } = drawing;
+        let faces = mesh.faces().len();
         let start = self.used_words;
-        let first = (start - base) / Drawing::<C, S, P, D>::STRIDE;
-        let words = mesh.positions().len() * Drawing::<C, S, P, D>::STRIDE;
+        let first = (start - base).checked_div(stride).unwrap_or_default();
+        let words = mesh.positions().len() * stride;
         if !self.reserve(words) {
             // Without padding again: nothing of this mesh is in the list.
             let missing = self.used_words + words - self.words.len();
@@ -70,10 +79,10 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             let header = |vertex| self.header(drawing.word(vertex));
             match seen(header(a), header(b), header(c)) {
                 Seen::Outside => self.stats.outside += 1,
-                Seen::Whole(points) => self.face(&drawing, face, vertices, points, &mut left_out),
+                Seen::Whole(points) => self.face(drawing, face, vertices, points, &mut left_out),
                 Seen::Crossing(planes) => {
                     self.stats.clipped += 1;
-                    self.clipped(&drawing, face, *corners, planes, &mut left_out);
+                    self.clipped(drawing, face, *corners, planes, &mut left_out);
                 }
             }
         }
@@ -123,9 +132,9 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     }
 
     /// Adds a triangle of three vertices of the list, unless it is culled or touches no pixel centre of the viewport.
-    fn face<C: Camera, S: Shader<'a, P>>(
+    fn face(
         &mut self,
-        drawing: &Drawing<'_, 'a, C, S, P, D>,
+        drawing: &Drawing<'_, D>,
         face: usize,
         vertices: [usize; 3],
         points: [Snapped; 3],
@@ -151,7 +160,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         *place = ListTriangle {
             vertices: order.map(|i| vertices.get(i).copied().unwrap_or_default() as u16),
             shader: drawing.kept,
-            colour: drawing.shader.face(&drawing.local, drawing.mesh, face),
+            colour: drawing.shaded.face(face),
             rows: [top, bottom],
         };
         self.used_triangles += 1;
@@ -159,27 +168,29 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     }
 
     /// Clips a face, and adds the polygon that is left of it as a fan from its least vertex.
-    fn clipped<C: Camera, S: Shader<'a, P>>(
+    fn clipped(
         &mut self,
-        drawing: &Drawing<'_, 'a, C, S, P, D>,
+        drawing: &Drawing<'_, D>,
         face: usize,
         corners: [u16; 3],
         planes: Outcode,
         left_out: &mut LeftOut,
     ) {
         let polygon = drawing.polygon(corners, planes);
-        let stride = Drawing::<C, S, P, D>::STRIDE;
+        let stride = drawing.layout.stride;
         let start = self.used_words;
-        let first = (start - drawing.base) / stride;
+        let first = (start - drawing.base).checked_div(stride).unwrap_or_default();
         let words = polygon.len() * stride;
         if first + polygon.len() > MAX_NAMED || !self.reserve(words) {
             left_out.triangles += polygon.len().saturating_sub(2);
             left_out.words += words;
             return;
         }
-        let words = self.words.get_mut(start..).unwrap_or_default();
-        for (vertex, words) in polygon.iter().zip(words.chunks_mut(stride)) {
-            drawing.store(words, &vertex.position, vertex.attributes);
+        let mut words = self.words.get_mut(start..).unwrap_or_default();
+        for vertex in &polygon {
+            let Some((here, rest)) = words.split_at_mut_checked(stride) else { break };
+            drawing.store(here, &vertex.position, &vertex.carried);
+            words = rest;
         }
         for last in 2..polygon.len() {
             let vertices = [0, last - 1, last].map(|place| first + place);
@@ -240,48 +251,100 @@ fn seen(a: [u32; 2], b: [u32; 2], c: [u32; 2]) -> Seen {
     }
 }
 
-/// One mesh on its way into the list.
-struct Drawing<'m, 'a, C, S: Shader<'a, P>, P, D> {
-    transform: Transform,
+/// The vertex half of a shader over a mesh.
+trait VertexShader {
+    /// What a vertex carries.
+    fn vertex(&self, vertex: usize) -> Carried;
+
+    /// What a vertex between two others carries.
+    fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried;
+
+    /// The colour of a face.
+    fn face(&self, face: usize) -> [u8; 3];
+}
+
+/// A shader's vertex half, with what it computes once a mesh.
+struct Shaded<'m, 'a, S: Shader<'a, P>, P> {
     mesh: &'m Mesh<'m>,
     shader: &'m S,
     local: S::Local,
+    types: PhantomData<(&'a (), P)>,
+}
+
+impl<'a, S: Shader<'a, P>, P> VertexShader for Shaded<'_, 'a, S, P> {
+    fn vertex(&self, vertex: usize) -> Carried {
+        carried(self.shader.vertex(&self.local, self.mesh, vertex))
+    }
+
+    fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried {
+        mixed::<<S::Pixel as PixelShader<'a, P>>::Vertex>(from, to, at)
+    }
+
+    fn face(&self, face: usize) -> [u8; 3] {
+        self.shader.face(&self.local, self.mesh, face)
+    }
+}
+
+/// What the words of a vertex are.
+#[derive(Clone, Copy)]
+struct Layout {
+    /// How many there are.
+    stride: usize,
+    /// Of these, for the shader.
+    carried: usize,
+    /// Whether 1/w is one of them.
+    inverse: bool,
+    /// Whether vertices have a w each.
+    perspective: bool,
+}
+
+impl Layout {
+    fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
+        Self {
+            stride: stride::<P, D, S>(),
+            carried: S::Vertex::WORDS,
+            inverse: S::PERSPECTIVE,
+            perspective: C::PERSPECTIVE,
+        }
+    }
+}
+
+/// One mesh on its way into the list.
+struct Drawing<'m, D> {
+    transform: Transform,
+    mesh: &'m Mesh<'m>,
+    shaded: &'m dyn VertexShader,
+    layout: Layout,
     /// Where the pixel shader is kept.
     kept: u8,
     /// The first word of that shader's vertices.
     base: usize,
-    types: PhantomData<(&'a (), C, P, D)>,
+    types: PhantomData<D>,
 }
 
-/// What a vertex carries for a shader.
-type Carried<'a, S, P> = <<S as Shader<'a, P>>::Pixel as PixelShader<'a, P>>::Vertex;
-
-impl<'a, C: Camera, S: Shader<'a, P>, P, D: Depth> Drawing<'_, 'a, C, S, P, D> {
-    /// Words of a vertex.
-    const STRIDE: usize = stride::<P, D, S::Pixel>();
-
+impl<D: Depth> Drawing<'_, D> {
     /// Where a vertex of the shader starts.
     fn word(&self, vertex: usize) -> usize {
-        self.base + vertex * Self::STRIDE
+        self.base + vertex * self.layout.stride
     }
 
     /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
-    fn vertices(&self, words: &mut [u32]) {
-        for ((vertex, &position), words) in
-            self.mesh.positions().iter().enumerate().zip(words.chunks_mut(Self::STRIDE))
-        {
+    fn vertices(&self, mut words: &mut [u32]) {
+        for (vertex, &position) in self.mesh.positions().iter().enumerate() {
+            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride) else { break };
             let position = self.transform.position(position);
             let planes = Outcode::new(&position, &self.transform.projection);
             if planes == Outcode(0) {
-                self.store(words, &position, self.shader.vertex(&self.local, self.mesh, vertex));
-            } else if let [x, y, ..] = words {
+                self.store(here, &position, &self.shaded.vertex(vertex));
+            } else if let [x, y, ..] = here {
                 (*x, *y) = (UNSEEN, u32::from(planes.0));
             }
+            words = rest;
         }
     }
 
     /// Writes a vertex that is inside all planes.
-    fn store(&self, words: &mut [u32], position: &Position, attributes: Carried<'a, S, P>) {
+    fn store(&self, words: &mut [u32], position: &Position, carried: &Carried) {
         let inverse = self.inverse(position);
         let (x, y) = self.transform.projection.project(position, inverse).bits();
         let mut words = words.iter_mut();
@@ -293,31 +356,31 @@ impl<'a, C: Camera, S: Shader<'a, P>, P, D: Depth> Drawing<'_, 'a, C, S, P, D> {
         put(x.cast_unsigned());
         put(y.cast_unsigned());
         D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
-        if S::Pixel::PERSPECTIVE {
+        if self.layout.inverse {
             PerVertexInverse::new(inverse).store(&mut put);
         }
-        attributes.store(&mut put);
+        for &word in carried.iter().take(self.layout.carried) {
+            put(word);
+        }
     }
 
     /// One over w, which all vertices share where there is no perspective.
     #[inline]
     fn inverse(&self, position: &Position) -> Reciprocal {
-        if C::PERSPECTIVE { Projection::inverse(position.w) } else { self.transform.level_inverse }
+        if self.layout.perspective { Projection::inverse(position.w) } else { self.transform.level_inverse }
     }
 
     /// What is left of a face inside the planes, in canonical order: its least vertex first, by row, then column, then
     /// by all else that tells vertices apart, so that the fan is the same whichever vertex the face starts with.
-    fn polygon(&self, corners: [u16; 3], planes: Outcode) -> Polygon<Carried<'a, S, P>> {
+    fn polygon(&self, corners: [u16; 3], planes: Outcode) -> Polygon {
         let projection = &self.transform.projection;
         let corner = |corner: u16| {
             let vertex = usize::from(corner);
             let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
-            ClipVertex {
-                position: self.transform.position(position),
-                attributes: self.shader.vertex(&self.local, self.mesh, vertex),
-            }
+            ClipVertex { position: self.transform.position(position), carried: self.shaded.vertex(vertex) }
         };
-        let polygon = clip(corners.map(corner), planes, projection);
+        let mix = |from: &Carried, to: &Carried, at| self.shaded.mix(from, to, at);
+        let polygon = clip(corners.map(corner), planes, projection, &mix);
         from_least(&polygon, |vertex| {
             let at = vertex.position;
             (projection.project(&at, self.inverse(&at)).order(), at.w, at.z, at.x, at.y)
