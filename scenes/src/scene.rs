@@ -55,6 +55,8 @@ pub struct Object {
     pub scale: Length,
     /// How it turns in the course of an animation.
     pub spin: Spin,
+    /// How it leans once it has turned: about the x, the y and the z axis, in this order.
+    pub lean: [Turn; 3],
     /// What it is made of.
     pub look: Look,
     /// Which of its faces are left out.
@@ -153,7 +155,8 @@ impl Object {
             Spin::Upright => Pose::new().turned_y(turn),
             Spin::Tumbling => Pose::new().turned_x(Turn::from_degrees(35)).turned_y(turn),
         };
-        pose.scaled(self.scale).at(self.at)
+        let [x, y, z] = self.lean;
+        pose.turned_x(x).turned_y(y).turned_z(z).scaled(self.scale).at(self.at)
     }
 }
 
