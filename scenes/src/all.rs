@@ -114,7 +114,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "corridor",
         about: "walls that begin beside a viewer who leans",
-        camera: orbit(["0", "0", "-1"], "1", 0, (0.1, 30.0)),
+        camera: orbit(["0", "0", "-1"], "1", 0, (0.5, 20.0)),
         background: NIGHT,
         objects: &[Object {
             at: place("0.3", "0.2", "0"),
@@ -135,14 +135,14 @@ pub const SCENES: &[Scene] = &[
         camera: orbit(["0", "0", "-1"], "1", 0, (0.1, 100.0)),
         background: NIGHT,
         objects: &[
-            rungs("0.12000", "-0.04200"),
-            rungs("0.30896", "-0.07724"),
-            rungs("0.79548", "-0.11932"),
-            rungs("2.04810", "-0.10240"),
-            rungs("5.27319", "0.26366"),
-            rungs("13.57677", "2.03652"),
-            rungs("34.95582", "8.73895"),
-            rungs("90.00000", "31.50000"),
+            rungs("0.12000", -7),
+            rungs("0.30896", -5),
+            rungs("0.79548", -3),
+            rungs("2.04810", -1),
+            rungs("5.27319", 1),
+            rungs("13.57677", 3),
+            rungs("34.95582", 5),
+            rungs("90.00000", 7),
         ],
     },
     Scene {
@@ -187,9 +187,13 @@ const fn of_mesh(texture: Texture<'static>) -> Look {
     Look { material: Material::OfMesh, texture, shade: Shade::Plain, method: Method::PerPixel }
 }
 
-/// The rungs, from as far as `distance`, moved to `right` there.
-const fn rungs(distance: &str, right: &str) -> Object {
-    Object { at: place(right, "0", "0"), scale: Length::lit(distance), ..still(&LADDER, of_mesh(TEST_CARD)) }
+/// The rungs, `distance` times as far away, and some steps of about 2.75 degrees to the right.
+const fn rungs(distance: &str, right: i32) -> Object {
+    Object {
+        scale: Length::lit(distance),
+        lean: [Turn::ZERO, Turn::new((-501 * right).rem_euclid(65_536) as u16), Turn::ZERO],
+        ..still(&LADDER, of_mesh(TEST_CARD))
+    }
 }
 
 const fn coloured(colour: [u8; 3], shade: Shade) -> Look {

@@ -1,17 +1,17 @@
-//! Four walls 2 units apart along the z axis from 0.5 to -23.5, seen from inside, and the one at the end.
+//! Four walls 2 units apart along the z axis from 0.5 to -11.5, seen from inside, and the one at the end.
 //!
 //! 20 vertices, 10 faces, 350 bytes. Written by `meshpack`: change what it was made from.
 
 use topleft::{Length, Mesh, MeshError};
 
-/// Four walls 2 units apart along the z axis from 0.5 to -23.5, seen from inside, and the one at the end.
+/// Four walls 2 units apart along the z axis from 0.5 to -11.5, seen from inside, and the one at the end.
 pub const CORRIDOR: Mesh<'static> = {
     let mesh = checked(Mesh::new(&POSITIONS, &FACES));
-    let centre = [Length::from_bits(0), Length::from_bits(0), Length::from_bits(-753664)];
-    let mesh = mesh.with_box(centre, Length::from_bits(786456));
+    let centre = [Length::from_bits(0), Length::from_bits(0), Length::from_bits(-360448)];
+    let mesh = mesh.with_box(centre, Length::from_bits(393228));
     let mesh = checked(mesh.with_normals(&NORMALS));
     let mesh = checked(mesh.with_face_normals(&FACE_NORMALS));
-    checked(mesh.with_uvs(&UVS, 4))
+    checked(mesh.with_uvs(&UVS, 3))
 };
 
 const fn checked(mesh: Result<Mesh<'static>, MeshError>) -> Mesh<'static> {
@@ -23,11 +23,11 @@ const fn checked(mesh: Result<Mesh<'static>, MeshError>) -> Mesh<'static> {
 
 #[rustfmt::skip]
 static POSITIONS: [[i16; 3]; 20] = [
-    [-2731, 2731, 32767], [-2731, -2731, 32767], [-2731, -2731, -32767], [-2731, 2731, -32767],
-    [2731, 2731, -32767], [2731, -2731, -32767], [2731, -2731, 32767], [2731, 2731, 32767],
-    [-2731, -2731, -32767], [-2731, -2731, 32767], [2731, -2731, 32767], [2731, -2731, -32767],
-    [-2731, 2731, 32767], [-2731, 2731, -32767], [2731, 2731, -32767], [2731, 2731, 32767],
-    [-2731, 2731, -32767], [-2731, -2731, -32767], [2731, -2731, -32767], [2731, 2731, -32767],
+    [-5461, 5461, 32767], [-5461, -5461, 32767], [-5461, -5461, -32767], [-5461, 5461, -32767],
+    [5461, 5461, -32767], [5461, -5461, -32767], [5461, -5461, 32767], [5461, 5461, 32767],
+    [-5461, -5461, -32767], [-5461, -5461, 32767], [5461, -5461, 32767], [5461, -5461, -32767],
+    [-5461, 5461, 32767], [-5461, 5461, -32767], [5461, 5461, -32767], [5461, 5461, 32767],
+    [-5461, 5461, -32767], [-5461, -5461, -32767], [5461, -5461, -32767], [5461, 5461, -32767],
 ];
 
 #[rustfmt::skip]
@@ -51,7 +51,7 @@ static FACE_NORMALS: [[i8; 3]; 10] = [
 
 #[rustfmt::skip]
 static UVS: [[i16; 2]; 20] = [
-    [0, 0], [0, 2048], [24576, 2048], [24576, 0], [0, 0], [0, 2048], [24576, 2048], [24576, 0], [0, 0],
-    [0, 24576], [2048, 24576], [2048, 0], [0, 0], [0, 24576], [2048, 24576], [2048, 0], [0, 0], [0, 2048],
-    [2048, 2048], [2048, 0],
+    [0, 0], [0, 4096], [24576, 4096], [24576, 0], [0, 0], [0, 4096], [24576, 4096], [24576, 0], [0, 0],
+    [0, 24576], [4096, 24576], [4096, 0], [0, 0], [0, 24576], [4096, 24576], [4096, 0], [0, 0], [0, 4096],
+    [4096, 4096], [4096, 0],
 ];

@@ -6,7 +6,7 @@ use crate::normals::cross;
 use crate::quantise::Packed;
 
 /// Where the corridor begins, behind a viewer at 0, and where its end wall stands.
-const ENDS: [f64; 2] = [0.5, -23.5];
+const ENDS: [f64; 2] = [0.5, -11.5];
 /// Units of a texture's repeat, along and across.
 const REPEAT: f64 = 2.0;
 /// Repeats on the ground, each way.

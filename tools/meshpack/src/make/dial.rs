@@ -15,7 +15,7 @@ const INK: [u8; 3] = [24, 32, 44];
 const PAPER: [u8; 3] = [240, 236, 220];
 const RED: [u8; 3] = [214, 64, 60];
 
-/// A disc of paper, ticks over three quarters of a turn, and a needle: one unit is one pixel, and layers are a unit apart.
+/// A disc of paper, ticks over three quarters of a turn, and a needle: one unit is one pixel, and layers are a quarter of a unit apart.
 pub(super) fn make() -> Packed {
     let mut welder = Welder::default();
     let rim = |corner: usize| {
@@ -30,9 +30,9 @@ pub(super) fn make() -> Packed {
         let long = tick % 5 == 0;
         let colour = if place > 0.8 { RED } else { INK };
         let inner = if long { 84.0 } else { 92.0 };
-        bar(&mut welder, place, [inner, 104.0], if long { [1.75; 2] } else { [0.75; 2] }, 1.0, colour);
+        bar(&mut welder, place, [inner, 104.0], if long { [1.75; 2] } else { [0.75; 2] }, 0.25, colour);
     }
-    bar(&mut welder, SHOWN, [-20.0, 88.0], [4.0, 0.5], 2.0, RED);
+    bar(&mut welder, SHOWN, [-20.0, 88.0], [4.0, 0.5], 0.5, RED);
     pack(welder, |model| model)
 }
 

@@ -7,7 +7,7 @@ use crate::quantise::Packed;
 /// How much nearer to the eye the front one of each pair is.
 const CLOSER: [f64; 6] = [0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 const HALF_WIDTH: f64 = 0.04;
-const HALF_HEIGHT: f64 = 0.05;
+const HALF_HEIGHT: f64 = 0.045;
 /// From the middle of a rung to the middle of the next.
 const STEP: f64 = 0.13;
 /// How far a rung leans: its lower edge is nearer.

@@ -38,7 +38,7 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
         mesh(
             "corridor",
             "CORRIDOR",
-            "Four walls 2 units apart along the z axis from 0.5 to -23.5, seen from inside, and the one at the end.",
+            "Four walls 2 units apart along the z axis from 0.5 to -11.5, seen from inside, and the one at the end.",
             corridor::make(),
         ),
         mesh(
@@ -50,7 +50,7 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
         mesh(
             "dial",
             "DIAL",
-            "A gauge of 224 pixels: a disc, ticks and a needle, a unit above each other.",
+            "A gauge of 224 pixels: a disc, ticks and a needle, a quarter of a unit above each other.",
             dial::make(),
         ),
         mesh(
