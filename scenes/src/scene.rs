@@ -1,8 +1,10 @@
 //! A scene: where the camera stands, and what it sees.
 
 use embedded_graphics_core::geometry::Size;
-use topleft::stages::{Shader, Traversal};
-use topleft::{Cull, Depth, DrawError, DrawList, Length, Mesh, Orthographic, Perspective, Pixel, Pose, Turn};
+use topleft::stages::{Correction, Shader, Traversal};
+use topleft::{
+    Cull, Depth, DrawError, DrawList, Length, Mesh, Orthographic, Perspective, Pixel, Pose, Textured, Turn,
+};
 
 use crate::shade::{Look, Method, Shade, WithShader};
 
@@ -134,6 +136,44 @@ impl Scene {
             (0, 0) => Ok(()),
             (triangles, words) => Err(DrawError::Full { triangles, words }),
         }
+    }
+
+    /// The same with each object's texture as it is, its texels found by `correction`.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw), but the first only.
+    pub fn draw_textured<P: Pixel, D: Depth, T: Traversal>(
+        &self,
+        list: &mut DrawList<'_, P, D, T>,
+        size: Size,
+        view: &View,
+        correction: impl Correction,
+    ) -> Result<(), DrawError> {
+        self.draw_with(list, size, view, |object| Textured::new(&object.look.texture, correction))
+    }
+
+    /// The same with a shader for each object.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw), but the first only.
+    pub fn draw_with<'a, P: Copy, D: Depth, T: Traversal, S: Shader<'a, P>>(
+        &self,
+        list: &mut DrawList<'a, P, D, T>,
+        size: Size,
+        view: &View,
+        shader: impl Fn(&Object) -> S,
+    ) -> Result<(), DrawError> {
+        for object in self.objects {
+            list.set_cull(object.cull);
+            let (pose, shader) = (object.pose(view.turn), shader(object));
+            if let Some(camera) = self.camera.orbiting(size, view) {
+                list.draw(&camera, object.mesh, &pose, &shader)?;
+            }
+            if let Some(camera) = self.camera.front(size) {
+                list.draw(&camera, object.mesh, &pose, &shader)?;
+            }
+        }
+        Ok(())
     }
 
     /// Faces of all objects.

@@ -8,6 +8,8 @@ mod grid;
 mod measure;
 mod row;
 mod scene;
+mod sizes;
+mod texels;
 mod traversal;
 
 pub use measure::{Clock, PANEL, Part};
@@ -33,7 +35,7 @@ pub fn run(clock: &mut dyn Clock, report: &mut dyn FnMut(&Row)) {
     strips(&mut bench);
 }
 
-/// The grid into a whole frame with depth: 225 KB of the stack, and 15 KB for the list.
+/// The grid, and triangles of five sizes, into a whole frame with depth: 225 KB of the stack, and 15 KB for the list.
 #[inline(never)]
 fn whole_frame(bench: &mut Bench<'_>) {
     let (mut colours, mut depths) = ([0; WIDTH * HEIGHT], [0; WIDTH * HEIGHT]);
@@ -41,6 +43,7 @@ fn whole_frame(bench: &mut Bench<'_>) {
     let mut buffers =
         Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
     grid::all(bench, &mut buffers);
+    sizes::all(bench, &mut buffers);
 }
 
 /// The grid and the scenes in strips: 15 KB for a strip, and 64 KB for the list of the largest scene.
@@ -52,4 +55,5 @@ fn strips(bench: &mut Bench<'_>) {
         Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
     grid::all(bench, &mut buffers);
     scene::all(bench, &mut buffers);
+    texels::all(bench, &mut buffers);
 }
