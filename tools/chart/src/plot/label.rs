@@ -1,0 +1,59 @@
+//! Labels beside their places that cover neither markers nor each other.
+
+use super::canvas::{Anchor, Canvas, Colour, width};
+
+/// What is taken already: rectangles from a corner to the other.
+#[derive(Clone, Debug)]
+pub(crate) struct Labels {
+    inside: [[i32; 2]; 2],
+    taken: Vec<[[i32; 2]; 2]>,
+}
+
+const HEIGHT: i32 = 13;
+
+impl Labels {
+    /// For labels inside a rectangle.
+    pub(crate) const fn new(inside: [[i32; 2]; 2]) -> Self {
+        Self { inside, taken: Vec::new() }
+    }
+
+    /// Keeps a marker clear.
+    pub(crate) fn keep_clear(&mut self, [x, y]: [i32; 2]) {
+        self.taken.push([[x - 7, y - 7], [x + 7, y + 7]]);
+    }
+
+    /// Keeps a rectangle clear.
+    pub(crate) fn keep_block_clear(&mut self, block: [[i32; 2]; 2]) {
+        self.taken.push(block);
+    }
+
+    /// Writes a label as near to its place as there is room, with a thin line where that is not beside it.
+    pub(crate) fn write(&mut self, canvas: &Canvas<'_>, text: &str, [x, y]: [i32; 2], colour: Colour) {
+        let wide = width(text, HEIGHT);
+        for ring in 1..8 {
+            for [right, down] in [[1, 0], [-1, 0], [0, -1], [0, 1], [1, -1], [1, 1], [-1, -1], [-1, 1]] {
+                let (far, high) = (11 * ring, 15 * ring);
+                let middle = [x + right * (far + wide / 2), y + down * high];
+                let block = [
+                    [middle[0] - wide / 2, middle[1] - HEIGHT / 2 - 1],
+                    [middle[0] + wide / 2, middle[1] + HEIGHT / 2 + 1],
+                ];
+                if self.is_free(block) {
+                    if ring > 1 {
+                        let end = [middle[0] - right * wide / 2, middle[1] - down * HEIGHT / 2];
+                        canvas.line(&[[x + right * 6, y + down * 6], end], colour, 1);
+                    }
+                    canvas.text(text, middle, HEIGHT, colour, Anchor::Middle);
+                    self.taken.push(block);
+                    return;
+                }
+            }
+        }
+    }
+
+    fn is_free(&self, [low, high]: [[i32; 2]; 2]) -> bool {
+        let within = (0..2).all(|k| low[k] >= self.inside[0][k] && high[k] <= self.inside[1][k]);
+        let apart = |other: &[[i32; 2]; 2]| (0..2).any(|k| high[k] < other[0][k] || other[1][k] < low[k]);
+        within && self.taken.iter().all(apart)
+    }
+}

@@ -1,0 +1,141 @@
+//! How far off texels are, by scene and method: the worst pixel that is seen, and the bound.
+
+use embedded_graphics_core::geometry::Size;
+use reference::raster::row_span;
+use reference::varying::{linear, perspective};
+use scenes::{Scene, by_name};
+use topleft::stages::Correction;
+
+use crate::method::{self, Bound, EachMethod, Method};
+use crate::spy::{self, Cell, Seen};
+use crate::tolerance::{affine, interpolation, per_pixel};
+
+/// The scenes whose textures decide: few large faces, and many small ones.
+pub(crate) const SCENES: [&str; 4] = ["leaning-cube", "globe", "horizon", "corridor"];
+
+/// The panel.
+pub(crate) const PANEL: Size = Size::new(240, 240);
+
+/// The errors of one method in one scene, in texels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Texels {
+    pub(crate) scene: &'static str,
+    pub(crate) method: Method,
+    /// Of the worst pixel.
+    pub(crate) worst: f64,
+    /// What 99.9 % of the pixels do not exceed.
+    pub(crate) most: f64,
+    /// What none may exceed.
+    pub(crate) bound: f64,
+    /// Pixels that its triangles cover, hidden ones included.
+    pub(crate) pixels: u64,
+}
+
+/// All methods in all scenes; `done` is called after each.
+pub(crate) fn all(done: impl FnMut()) -> Vec<Texels> {
+    struct Sweep<F> {
+        results: Vec<Texels>,
+        done: F,
+    }
+    impl<F: FnMut()> EachMethod for Sweep<F> {
+        fn method(&mut self, method: Method, correction: impl Correction + 'static) {
+            for scene in SCENES.into_iter().filter_map(by_name) {
+                self.results.push(measure(scene, method, correction));
+                (self.done)();
+            }
+        }
+    }
+    let mut sweep = Sweep { results: Vec::new(), done };
+    method::for_each(&mut sweep);
+    sweep.results
+}
+
+fn measure(scene: &'static Scene, method: Method, correction: impl Correction + 'static) -> Texels {
+    let (seen, cells) = spy::frame(scene, PANEL, correction);
+    let width = PANEL.width as usize;
+    let mut errors = Vec::new();
+    let mut bound = 0.0_f64;
+    for (index, &Cell { triangle, texel }) in cells.iter().enumerate() {
+        let Some(triangle) = (triangle as usize).checked_sub(1).map(|number| &seen[number]) else { continue };
+        let (x, y) = ((index % width) as i64, (index / width) as i64);
+        for axis in 0..2 {
+            let values = triangle.texels.map(|texel| texel[axis]);
+            let exact = perspective(triangle.points, values, triangle.q, x, y);
+            errors.push(outside(texel[axis], exact));
+            bound = bound.max(bound_at(method.bound, triangle, values, [x, y]));
+        }
+    }
+    if let Some(rows) = steps(method.bound) {
+        bound += seen.iter().map(|triangle| between_steps(triangle, rows)).fold(0.0, f64::max);
+    }
+    errors.sort_by(f64::total_cmp);
+    let at = |share: f64| errors[((errors.len() - 1) as f64 * share).ceil() as usize];
+    let pixels = seen.iter().map(|triangle| triangle.pixels).sum();
+    Texels { scene: scene.name, method, worst: at(1.0), most: at(0.999), bound, pixels }
+}
+
+/// How far a texel lies from the exact place, which its step holds where it is right.
+fn outside(texel: i32, exact: f64) -> f64 {
+    let texel = f64::from(texel);
+    (texel - exact).max(exact - texel - 1.0).max(0.0)
+}
+
+fn range(values: [f64; 3]) -> f64 {
+    let [a, b, c] = values;
+    a.max(b).max(c) - a.min(b).min(c)
+}
+
+/// What a pixel's texel may be off by.
+fn bound_at(bound: Bound, triangle: &Seen, values: [f64; 3], [x, y]: [i64; 2]) -> f64 {
+    let [ax, ay] = triangle.points[0].map(|c| i64::from(c.div_euclid(256)));
+    let steps = x.abs_diff(ax) + y.abs_diff(ay);
+    let largest = triangle.q.into_iter().fold(0.0, f64::max);
+    match bound {
+        Bound::Triangle => {
+            let least = triangle.q.into_iter().fold(f64::MAX, f64::min);
+            affine(range(values), largest / least) + interpolation(16, steps, range(values))
+        }
+        Bound::Pixel => {
+            let unit = 2.0_f64.powi(-largest.log2().ceil() as i32);
+            texel_box(triangle) * per_pixel(steps, linear(triangle.points, triangle.q, x, y) * unit)
+        }
+    }
+}
+
+/// The power of two of texels that holds a triangle's.
+fn texel_box(triangle: &Seen) -> f64 {
+    let span = |axis: usize| {
+        let [a, b, c] = triangle.texels.map(|texel| texel[axis]);
+        a.max(b).max(c) - a.min(b).min(c).floor()
+    };
+    (span(0).max(span(1)).ceil() as u64).next_power_of_two() as f64
+}
+
+/// Pixels from one exact texel to the next, for a method that steps between.
+fn steps(bound: Bound) -> Option<i64> {
+    match bound {
+        Bound::Triangle | Bound::Pixel => None,
+    }
+}
+
+/// What linear steps between pixels `length` apart, or less at a row's end, are off by at the most: for any place where
+/// they begin.
+fn between_steps(triangle: &Seen, length: i64) -> f64 {
+    let [top, bottom] = [0, 2].map(|corner| i64::from(triangle.points[corner][1].div_euclid(256)));
+    let mut worst = 0.0_f64;
+    for y in top.max(0)..=bottom.min(i64::from(PANEL.height) - 1) {
+        let Some((start, end)) = row_span(triangle.points, y) else { continue };
+        let (start, end) = (start.max(0), end.min(i64::from(PANEL.width)));
+        for axis in 0..2 {
+            let values = triangle.texels.map(|texel| texel[axis]);
+            for left in start..end {
+                let right = (left + length).min(end - 1);
+                let [from, to] =
+                    [left, right].map(|x| perspective(triangle.points, values, triangle.q, x, y));
+                let [q0, q1] = [left, right].map(|x| linear(triangle.points, triangle.q, x, y));
+                worst = worst.max(affine((to - from).abs(), (q0 / q1).max(q1 / q0)));
+            }
+        }
+    }
+    worst
+}
