@@ -65,10 +65,6 @@ impl Table {
         text
     }
 
-    pub(crate) fn column(&self, name: &str) -> Option<usize> {
-        self.header.iter().position(|column| column == name)
-    }
-
     /// The rows with these values in these columns, as maps from column to cell.
     pub(crate) fn find(&self, wanted: &[(&str, &str)]) -> std::vec::IntoIter<BTreeMap<&str, &str>> {
         let is_wanted =

@@ -116,15 +116,17 @@ pub(super) fn draw(table: &Table, core: &Core) -> String {
             y: Scale::log(ERRORS, &[1.0]),
         };
         panel.draw(canvas, core.title, core.unit, "largest texel error, in texels");
+        let [low, high] = panel.corners;
+        let mut labels = Labels::new([[low[0] + 3, low[1] + 3], [high[0] - 3, high[1] - 3]]);
         for (error, name) in [(0.0625, "1/16 texel"), (0.25, "1/4 texel"), (1.0, "1 texel")] {
-            panel.rule_across(canvas, error, name);
+            labels.keep_block_clear(panel.rule_across(canvas, error, name));
         }
         for (cost, name) in core.budgets {
-            panel.rule_upright(canvas, cost, name);
+            panel.rule_upright(canvas, cost, name).map(|block| labels.keep_block_clear(block));
         }
         let points = points(table, core.column);
         draw_front(canvas, &panel, &front(&points));
-        draw_points(canvas, &panel, &points);
+        draw_points(canvas, &panel, &points, labels);
         legend(canvas, &points);
     })
 }
@@ -140,12 +142,16 @@ fn draw_front(canvas: &Canvas<'_>, panel: &Panel, front: &[&Point]) {
     panel.line(canvas, &stairs, FRONT, 5);
 }
 
-fn draw_points(canvas: &Canvas<'_>, panel: &Panel, points: &[Point]) {
-    let [low, high] = panel.corners;
-    let mut labels = Labels::new([[low[0] + 3, low[1] + 3], [high[0] - 3, high[1] - 3]]);
+fn draw_points(canvas: &Canvas<'_>, panel: &Panel, points: &[Point], mut labels: Labels) {
     for point in points {
-        labels.keep_clear(panel.at(point.cost[0], point.error[0]));
-        labels.keep_clear(panel.at(point.cost[0], point.bound));
+        let [x, worst] = panel.at(point.cost[0], point.error[0]);
+        let [_, bound] = panel.at(point.cost[0], point.bound);
+        let [_, least] = panel.at(point.cost[0], point.error[1]);
+        let [ends_left, ends_right] = [point.cost[1], point.cost[2]].map(|cost| panel.at(cost, 1.0)[0]);
+        labels.keep_clear([x, worst]);
+        labels.keep_clear([x, bound]);
+        labels.keep_block_clear([[x - 1, bound], [x + 1, least]]);
+        labels.keep_block_clear([[ends_left, worst - 1], [ends_right, worst + 1]]);
     }
     for family in Family::ALL {
         let of_family: Vec<&Point> = points.iter().filter(|point| point.family == family).collect();

@@ -32,18 +32,22 @@ impl Labels {
         let wide = width(text, HEIGHT);
         for ring in 1..8 {
             for [right, down] in [[1, 0], [-1, 0], [0, -1], [0, 1], [1, -1], [1, 1], [-1, -1], [-1, 1]] {
-                let (far, high) = (11 * ring, 15 * ring);
-                let middle = [x + right * (far + wide / 2), y + down * high];
-                let block = [
-                    [middle[0] - wide / 2, middle[1] - HEIGHT / 2 - 1],
-                    [middle[0] + wide / 2, middle[1] + HEIGHT / 2 + 1],
-                ];
+                // Beside its place the label starts or ends there; above and below its middle does.
+                let across = x + right * (9 + 12 * (ring - 1));
+                let anchor = match right {
+                    1 => Anchor::Left,
+                    -1 => Anchor::Right,
+                    _ => Anchor::Middle,
+                };
+                let left = across - wide * (1 - right) / 2;
+                let middle = y + down * (HEIGHT + 2) * if right == 0 { ring } else { 1.max(ring - 1) };
+                let block = [[left, middle - HEIGHT / 2 - 1], [left + wide, middle + HEIGHT / 2 + 1]];
                 if self.is_free(block) {
-                    if ring > 1 {
-                        let end = [middle[0] - right * wide / 2, middle[1] - down * HEIGHT / 2];
+                    if ring > 2 {
+                        let end = [across - 2 * right, middle - down * (HEIGHT / 2)];
                         canvas.line(&[[x + right * 6, y + down * 6], end], colour, 1);
                     }
-                    canvas.text(text, middle, HEIGHT, colour, Anchor::Middle);
+                    canvas.text(text, [across, middle], HEIGHT, colour, anchor);
                     self.taken.push(block);
                     return;
                 }

@@ -64,24 +64,27 @@ impl Panel {
         canvas.line(&[[left, top], [right, top], [right, bottom], [left, bottom], [left, top]], GREY, 1);
     }
 
-    /// A rule across, with its name at the right end, above it.
-    pub(crate) fn rule_across(&self, canvas: &Canvas<'_>, y: f64, name: &str) {
+    /// A rule across, with its name at the right end, above it. What the name takes is told.
+    pub(crate) fn rule_across(&self, canvas: &Canvas<'_>, y: f64, name: &str) -> [[i32; 2]; 2] {
         let [[left, _], [right, _]] = self.corners;
         let [_, row] = self.at(self.x.ends[0], y);
         canvas.dashed([left, row], [right, row], GREY, 5);
         canvas.text(name, [right - 4, row - 8], 12, GREY, Anchor::Right);
+        [[right - 4 - super::canvas::width(name, 12), row - 15], [right, row - 1]]
     }
 
-    /// A rule upright, with its name along it at its upper end; nothing where the axis does not reach it.
-    pub(crate) fn rule_upright(&self, canvas: &Canvas<'_>, x: f64, name: &str) {
+    /// A rule upright, with its name along it at its lower end; nothing where the axis does not reach it. What the name
+    /// takes is told.
+    pub(crate) fn rule_upright(&self, canvas: &Canvas<'_>, x: f64, name: &str) -> Option<[[i32; 2]; 2]> {
         let [[_, top], [_, bottom]] = self.corners;
         if !(self.x.ends[0]..=self.x.ends[1]).contains(&x) {
-            return;
+            return None;
         }
         let [column, _] = self.at(x, self.y.ends[0]);
         canvas.dashed([column, top], [column, bottom], GREY, 5);
         let long = super::canvas::width(name, 12);
-        canvas.upwards(name, [column - 8, top + 6 + long / 2], 12, GREY);
+        canvas.upwards(name, [column - 8, bottom - 4 - long / 2], 12, GREY);
+        Some([[column - 15, bottom - 4 - long], [column - 1, bottom]])
     }
 
     /// A line through values.
