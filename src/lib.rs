@@ -149,7 +149,10 @@ pub use point::{Point, point};
 pub use pose::Pose;
 pub use raster::{BoxWalk, Spans};
 pub use setup::Cull;
-pub use shade::{Affine, Flat, Gouraud, LitTexture, Material, PerPixel, Sun, Textured};
+pub use shade::{
+    Affine, Divide, Divided, Flat, Gouraud, LitTexture, Material, PerPixel, Portable, Subspans, Sun,
+    Textured, Within,
+};
 pub use target::{Strip, StripError};
 pub use texture::{MAX_TEXTURE_SIZE, Texture, TextureError, Wrap};
 pub use triangle::ShadedTriangle;
@@ -161,7 +164,7 @@ pub mod stages {
     pub use crate::gradients::{Gradients, Plane};
     pub use crate::raster::{Span, Traversal, Window};
     pub use crate::setup::Setup;
-    pub use crate::shade::{Correction, PixelShader, Shader, Uniforms};
+    pub use crate::shade::{Correction, PixelShader, Sampler, Shader, Uniforms};
     pub use crate::snapped::Snapped;
     pub use crate::transform::PerVertexInverse;
     pub use crate::varying::Varying;

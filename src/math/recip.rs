@@ -6,7 +6,7 @@
 //!
 //! | function | for | relative error | steps |
 //! |---|---|---|---|
-//! | [`Pixel`] | texels, once a pixel | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
+//! | [`pixel`] | texels, once a pixel | -2^-15 - 2^-16 to 2^-14 + 2^-16 | table and interpolation |
 //! | [`vertex`] | perspective divide, once a vertex | -2^-27.9 | and one Newton step |
 //! | [`area`] | gradients, once a triangle | ±2^-30 | and one more |
 //!
@@ -47,34 +47,47 @@ fn seed(normalised: u32) -> u32 {
     low + 32_768 - (((low - high) * fraction + 0x8000) >> 16)
 }
 
-/// Reciprocals of numbers that change little from one to the next: the shift that normalises the last is tried first,
-/// which is cheaper than counting zeros on a core that cannot.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pixel {
-    /// The leading zeros of the last number.
-    pub(crate) shift: u32,
+/// `round(2^16 / (1 + i / 64))`, at most 2^16 - 1, in the high half of a word, and how much less the next is in the low.
+static PIXEL: [u32; 64] = {
+    let mut table = [0; 64];
+    let mut i = 0;
+    while i < table.len() {
+        let entry = if i == 0 { 0xFFFF } else { TABLE[i] as u32 + 32_768 };
+        table[i] = entry << 16 | (entry - (TABLE[i + 1] as u32 + 32_768));
+        i += 1;
+    }
+    table
+};
+
+/// `2^47 / x` for `x` in [2^31, 2^32), in [2^15, 2^16): the table in one word, and linear interpolation rounded down.
+///
+/// What the low half adds to the high one is less than a 64th of its step.
+#[inline(always)]
+pub(crate) fn pixel(x: u32) -> u32 {
+    // The index is below 64: this is for the compiler, which then needs no panic path.
+    let word = PIXEL.get((x >> 25 & 63) as usize).copied().unwrap_or_default();
+    (word - (word & 0xFFFF) * (x >> 9 & 0xFFFF)) >> 16
 }
 
-impl Pixel {
-    /// For a run of numbers of which a triangle's greatest has one leading zero: most have few.
-    #[inline(always)]
-    pub(crate) const fn new() -> Self {
-        Self { shift: 1 }
-    }
+/// `part / x` in 31 fraction bits, from the reciprocal of an x normalised to 32 bits and a part of it to 31.
+#[inline(always)]
+pub(crate) fn quotient(part: u32, reciprocal: u32) -> u32 {
+    (part >> 15).wrapping_mul(reciprocal)
+}
 
-    /// `2^47 / (q << shift)` in [2^15, 2^16], with the shift that normalises `q` from now on. A zero counts as one.
-    #[inline(always)]
-    pub(crate) fn of(&mut self, q: u32) -> u32 {
-        let q = q.max(1);
-        // Both loops end: a number that is not 0 has at most 31 leading zeros.
-        while q >> 1 >> (31 - self.shift) != 0 {
-            self.shift -= 1;
-        }
-        while q << self.shift >> 31 == 0 {
-            self.shift += 1;
-        }
-        seed(q << self.shift)
+/// The leading zeros of a number that is not 0, sought from those of the number before: where numbers change little, that
+/// is cheaper than counting on a core that cannot.
+#[inline(always)]
+pub(crate) fn normalising(q: u32, mut shift: u32) -> u32 {
+    // Both loops end: a number that is not 0 has at most 31 leading zeros.
+    let q = q.max(1);
+    while q >> 1 >> (31 - shift) != 0 {
+        shift -= 1;
     }
+    while q << shift >> 31 == 0 {
+        shift += 1;
+    }
+    shift
 }
 
 /// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
@@ -145,28 +158,31 @@ mod tests {
         knots.chain(walk)
     }
 
+    // Red when an entry is not rounded to nearest, or its difference is another's.
     #[test]
     fn pixel_is_within_the_chord_and_a_step() {
         for x in inputs() {
-            let mut pixel = Pixel::new();
-            let r = pixel.of(x);
-            assert_eq!(pixel.shift, 0);
-            // x r = 2^47 (1 + e). The entries and the interpolation are each rounded by half a step of r; the chord
-            // lies up to 2^-14 above.
-            let product = u64::from(x) * u64::from(r);
-            assert!(product >= (1 << 47) - u64::from(x), "{x:#x}: {product:#x} is too low");
-            assert!(product <= (1 << 47) + (1 << 33) + u64::from(x), "{x:#x}: {product:#x} is too high");
+            let r = pixel(x);
+            // x r = 2^47 (1 + e). An entry is rounded by half a step of r, the first by one, and the interpolation by
+            // one; the chord lies up to 2^-14 above, and what the low half adds by a 64th of a step.
+            let (product, step) = (u64::from(x) * u64::from(r), u64::from(x));
+            let down = if x >> 25 & 63 == 0 { 2 * step } else { 3 * step / 2 };
+            assert!(product >= (1 << 47) - down, "{x:#x}: {product:#x} is too low");
+            assert!(
+                product <= (1 << 47) + (1 << 33) + step / 2 + step / 64,
+                "{x:#x}: {product:#x} is too high"
+            );
         }
     }
 
+    // Red when either loop stops a bit early.
     #[test]
     fn the_shift_follows_any_number() {
-        let mut following = Pixel::new();
+        let mut following = 1;
         for (i, x) in inputs().enumerate() {
             let q = x >> (i * 7 % 33).min(31);
-            let fresh = Pixel { shift: q.max(1).leading_zeros() }.of(q);
-            assert_eq!(following.of(q), fresh, "{q:#x}");
-            assert_eq!(following.shift, q.max(1).leading_zeros(), "{q:#x}");
+            following = normalising(q, following);
+            assert_eq!(following, q.max(1).leading_zeros(), "{q:#x}");
         }
     }
 

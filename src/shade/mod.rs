@@ -15,6 +15,7 @@ mod flat;
 mod gouraud;
 mod light;
 mod perspective;
+mod sampler;
 mod textured;
 
 pub use flat::Flat;
@@ -22,7 +23,8 @@ pub(crate) use flat::FlatPixel;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::GouraudPixel;
 pub use light::{Material, Sun};
-pub use perspective::{Affine, Correction, PerPixel};
+pub use perspective::{Affine, Correction, Divide, Divided, PerPixel, Portable, Subspans, Within};
+pub use sampler::Sampler;
 pub use textured::{LitTexture, Textured};
 
 /// The vertex half of a shader, borrowed while a mesh is drawn into a list.

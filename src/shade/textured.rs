@@ -2,14 +2,14 @@
 
 use super::light::{LocalSun, Sun};
 use super::perspective::Correction;
+use super::sampler::{Lit, Paint, Painter, Plain};
 use super::{PixelShader, Shader, Uniforms};
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
-use crate::texture::{Texture, Wrap};
+use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
-use crate::varying::Varying;
 
 /// A texture, nearest texel, as it is.
 ///
@@ -33,27 +33,18 @@ impl<'a, C: Correction> Textured<'a, C> {
         Self { texture: *texture, correction }
     }
 
-    /// Hands each pixel of a run to `each` with its texel. What lies beyond the edges is decided once a run.
+    /// Paints a run.
     #[inline(always)]
-    fn walk<T>(
+    fn walk<P>(
         &self,
         triangle: &C::Triangle,
         start: C::Varying,
         step: &C::Varying,
-        pixels: impl Iterator<Item = T>,
-        mut each: impl FnMut(T, u16),
+        run: &mut [P],
+        paint: impl Paint<P>,
     ) {
-        let Self { texture, correction } = *self;
-        match texture.wrap() {
-            Wrap::Repeat => {
-                correction
-                    .walk(triangle, start, step, pixels, |pixel, u, v| each(pixel, texture.repeated(u, v)));
-            }
-            Wrap::Clamp => {
-                correction
-                    .walk(triangle, start, step, pixels, |pixel, u, v| each(pixel, texture.clamped(u, v)));
-            }
-        }
+        let Self { texture, correction } = self;
+        correction.walk(triangle, start, step, run, &mut Painter { texture, paint });
     }
 
     /// The same under a light that falls on each vertex by its normal.
@@ -119,12 +110,12 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         vertices: [[Attribute; 2]; 3],
         inverses: [PerVertexInverse; 3],
     ) -> (C::Triangle, [C::Varying; 3]) {
-        self.correction.triangle(vertices, inverses)
+        self.correction.triangle(vertices, inverses, self.texture.sizes_log2())
     }
 
     #[inline(never)]
     fn shade(&self, triangle: &C::Triangle, start: C::Varying, step: &C::Varying, run: &mut [P]) {
-        self.walk(triangle, start, step, run.iter_mut(), |pixel, texel| *pixel = P::from_texel(texel));
+        self.walk(triangle, start, step, run, Plain);
     }
 }
 
@@ -178,7 +169,11 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         vertices: [([Attribute; 2], Attribute); 3],
         inverses: [PerVertexInverse; 3],
     ) -> (C::Triangle, [(C::Varying, Attribute); 3]) {
-        let (triangle, texels) = self.0.correction.triangle(vertices.map(|vertex| vertex.0), inverses);
+        let (triangle, texels) = self.0.correction.triangle(
+            vertices.map(|vertex| vertex.0),
+            inverses,
+            self.0.texture.sizes_log2(),
+        );
         let ([a, b, c], [p, q, r]) = (texels, vertices.map(|vertex| vertex.1));
         (triangle, [(a, p), (b, q), (c, r)])
     }
@@ -191,12 +186,6 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         step: &(C::Varying, Attribute),
         run: &mut [P],
     ) {
-        let mut light = start.1;
-        self.0.walk(triangle, start.0, &step.0, run.iter_mut(), |pixel, texel| {
-            // Interpolation may leave the range by less than the half that rounds.
-            let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
-            *pixel = P::lit_texel(texel, steps);
-            light = light.plus(step.1);
-        });
+        self.0.walk(triangle, start.0, &step.0, run, Lit(start.1, step.1));
     }
 }

@@ -4,8 +4,8 @@ use scenes::mesh::{GRID240, GRID240_TILTED};
 use scenes::texture::TEST_CARD;
 use topleft::stages::Traversal;
 use topleft::{
-    Affine, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length, Material, Matrix, MatrixCamera, Mesh,
-    NoDepth, PerPixel, Pose, Textured,
+    Affine, Cull, Depth16, Divided, DrawError, DrawList, Flat, Gouraud, Length, Material, Matrix,
+    MatrixCamera, Mesh, NoDepth, PerPixel, Portable, Pose, Subspans, Textured, Within,
 };
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
@@ -16,7 +16,11 @@ pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
     bench.case(&FlatDepthGrid, buffers);
     bench.case(&GouraudDepthGrid, buffers);
     bench.case(&AffineGrid, buffers);
+    bench.case(&AffineDepthGrid, buffers);
+    bench.case(&Subspan16DepthGrid, buffers);
+    bench.case(&WithinDepthGrid, buffers);
     bench.case(&PerspectiveDepthGrid, buffers);
+    bench.case(&DividedDepthGrid, buffers);
 }
 
 const SCENE: &str = "grid240";
@@ -88,5 +92,9 @@ cases! {
     FlatDepthGrid, "flat+depth", Depth16, FRONT, GRID240, Flat::new(Material::OfMesh);
     GouraudDepthGrid, "gouraud+depth", Depth16, FRONT, COLOURED, Gouraud::unlit(&Material::OfMesh);
     AffineGrid, "affine", NoDepth, FRONT, GRID240, Textured::new(&TEST_CARD, Affine);
+    AffineDepthGrid, "affine+depth", Depth16, EYE, GRID240_TILTED, Textured::new(&TEST_CARD, Affine);
+    Subspan16DepthGrid, "perspective-subspan-16+depth", Depth16, EYE, GRID240_TILTED, Textured::new(&TEST_CARD, Subspans::Of16);
+    WithinDepthGrid, "perspective-within-1/4+depth", Depth16, EYE, GRID240_TILTED, Textured::new(&TEST_CARD, Within::default());
+    DividedDepthGrid, "perspective-divided+depth", Depth16, EYE, GRID240_TILTED, Textured::new(&TEST_CARD, Divided::<Portable>::new());
     PerspectiveDepthGrid, "perspective-pixel+depth", Depth16, EYE, GRID240_TILTED, Textured::new(&TEST_CARD, PerPixel);
 }

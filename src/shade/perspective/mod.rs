@@ -1,0 +1,59 @@
+//! From what is linear on the screen to texels: perspective correction, as exact as the caller asks for.
+//!
+//! Each method has a file. [`Affine`] steps texels; [`PerPixel`] and [`Divided`] take a reciprocal a pixel;
+//! [`Subspans`] takes one every few pixels and steps between; [`Within`] picks the cheapest of these that keeps an
+//! error. They share two loops: the one that steps (`affine.rs`), and the one that divides (`per_pixel.rs`).
+
+use super::sampler::Sampler;
+use crate::math::format::Attribute;
+use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
+
+mod affine;
+mod divided;
+mod over_w;
+mod per_pixel;
+mod subspans;
+mod within;
+
+pub use affine::Affine;
+pub use divided::{Divide, Divided, Portable};
+pub use per_pixel::PerPixel;
+pub use subspans::Subspans;
+pub use within::Within;
+
+/// How texture coordinates follow the screen: [`Affine`], [`Subspans`], [`PerPixel`], [`Divided`] or [`Within`].
+pub trait Correction: Copy {
+    /// What changes from pixel to pixel.
+    type Varying: Varying;
+    /// What all pixels of a triangle share.
+    type Triangle: Copy;
+    /// Whether a vertex carries 1/w.
+    const PERSPECTIVE: bool;
+
+    /// This method in two words, as a list keeps it.
+    fn words(self) -> [u32; 2];
+
+    /// The method that was kept.
+    fn from_words(words: [u32; 2]) -> Self;
+
+    /// What is linear on the screen for three vertices with these texel coordinates, in a texture whose width and
+    /// height are these powers of two.
+    fn triangle(
+        self,
+        texels: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        sizes_log2: [u8; 2],
+    ) -> (Self::Triangle, [Self::Varying; 3]);
+
+    /// Hands each pixel of a run to `sampler`, from the first to the last, with the column and row of its texel, before
+    /// wrapping or clamping.
+    fn walk<T>(
+        self,
+        triangle: &Self::Triangle,
+        start: Self::Varying,
+        step: &Self::Varying,
+        run: &mut [T],
+        sampler: &mut impl Sampler<T>,
+    );
+}

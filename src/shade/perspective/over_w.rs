@@ -1,0 +1,150 @@
+//! Texels over w: what is linear on the screen where w is not.
+
+use crate::gradients::{Gradients, Plane};
+use crate::math::format::Attribute;
+use crate::math::{product, recip};
+use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
+
+/// 1/w, u/w and v/w in 31 fraction bits, with u and v from 0 to 1 in the triangle's [`TexelBox`]. Where 1/w is 0, which
+/// it is at no vertex, u and v themselves in texels with 16 fraction bits: they are linear, and 1/w needs no plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OverW {
+    pub(super) q: i32,
+    pub(super) texel: [i32; 2],
+}
+
+impl OverW {
+    /// A texel that is linear as it is.
+    pub(super) fn affine(texel: [i32; 2]) -> Self {
+        Self { q: 0, texel }
+    }
+
+    /// As it may be used: interpolation runs some steps below 0.
+    #[inline(always)]
+    pub(super) fn clamped(self) -> Self {
+        let [u, v] = self.texel;
+        Self { q: self.q.max(1), texel: [u.max(0), v.max(0)] }
+    }
+
+    /// With 1/w normalised to 32 bits, and u/w and v/w to one less: interpolation may run some steps above 1/w.
+    #[inline(always)]
+    pub(super) fn up(self, shift: u32) -> [u32; 3] {
+        let [u, v] = self.texel.map(i32::cast_unsigned);
+        [self.q.cast_unsigned() << shift, u << (shift - 1), v << (shift - 1)]
+    }
+}
+
+/// The greatest 1/w of a vertex, lest interpolation should run over 2^31: the 8191 columns and 4095 rows of the largest
+/// guard rectangle round by 6144 steps. It is off by 2^-18 of itself where w is a power of two, and nowhere else.
+const GREATEST: i32 = i32::MAX - (1 << 13) + 1;
+
+impl Varying for OverW {
+    #[inline]
+    fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
+        let scalar = |values: [i32; 3]| {
+            let Plane { start, dx, dy } = gradients.plane(values.map(i64::from));
+            [start, dx, dy].map(|part| part as i32)
+        };
+        let q = if a.q | b.q | c.q == 0 { [0; 3] } else { scalar([a.q, b.q, c.q]) };
+        let ([au, av], [bu, bv], [cu, cv]) = (a.texel, b.texel, c.texel);
+        let (u, v) = (scalar([au, bu, cu]), scalar([av, bv, cv]));
+        let ([q, dx_q, dy_q], [u, dx_u, dy_u], [v, dx_v, dy_v]) = (q, u, v);
+        Plane {
+            start: Self { q, texel: [u, v] },
+            dx: Self { q: dx_q, texel: [dx_u, dx_v] },
+            dy: Self { q: dy_q, texel: [dy_u, dy_v] },
+        }
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        let ([u, v], [du, dv]) = (self.texel, other.texel);
+        Self { q: self.q.wrapping_add(other.q), texel: [u.wrapping_add(du), v.wrapping_add(dv)] }
+    }
+
+    #[inline(always)]
+    fn times(self, steps: i32) -> Self {
+        let [u, v] = self.texel;
+        Self { q: self.q.wrapping_mul(steps), texel: [u.wrapping_mul(steps), v.wrapping_mul(steps)] }
+    }
+}
+
+/// Three vertices' 1/w in one power of two.
+#[inline]
+pub(super) fn aligned(inverses: [PerVertexInverse; 3]) -> [i32; 3] {
+    PerVertexInverse::aligned(inverses).map(|q| q.min(GREATEST))
+}
+
+/// A triangle's corner of the texture: its least texel, and the power of two of texels that it spans.
+#[derive(Clone, Copy, Debug)]
+pub struct TexelBox {
+    /// Whole texels.
+    pub(super) least: [i32; 2],
+    /// 0 to 16.
+    pub(super) span_log2: u32,
+}
+
+impl TexelBox {
+    /// The box of three texels, and where in it each is: 0 to 1 in 31 fraction bits.
+    #[inline]
+    pub(super) fn new(texels: [[Attribute; 2]; 3]) -> (Self, [[u32; 2]; 3]) {
+        let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
+        let ends = |[a, b, c]: [i32; 3]| (a.min(b).min(c) >> 16, a.max(b).max(c));
+        let ((least_u, most_u), (least_v, most_v)) = (ends([a[0], b[0], c[0]]), ends([a[1], b[1], c[1]]));
+        // From the whole texel at or below the least, in 16 fraction bits: it does not wrap.
+        let above = |value: i32, least: i32| value.wrapping_sub(least << 16).cast_unsigned();
+        let span = above(most_u, least_u).max(above(most_v, least_v));
+        let span_log2 = (32 - span.saturating_sub(1).leading_zeros()).saturating_sub(16);
+        let part = |value: i32, least: i32| {
+            let above = above(value, least);
+            if span_log2 > 15 { above >> 1 } else { above << (15 - span_log2) }
+        };
+        let parts = |[u, v]: [i32; 2]| [part(u, least_u), part(v, least_v)];
+        (Self { least: [least_u, least_v], span_log2 }, [parts(a), parts(b), parts(c)])
+    }
+
+    /// Parts of the box over w, for 1/w in 31 fraction bits.
+    #[inline]
+    pub(super) fn over_w(parts: [[u32; 2]; 3], inverses: [i32; 3]) -> [OverW; 3] {
+        let ([a, b, c], [qa, qb, qc]) = (parts, inverses);
+        let vertex = |[u, v]: [u32; 2], q: i32| {
+            let over_w = |part: u32| (product::unsigned(part, q.unsigned_abs()) >> 31) as i32;
+            OverW { q, texel: [over_w(u), over_w(v)] }
+        };
+        [vertex(a, qa), vertex(b, qb), vertex(c, qc)]
+    }
+
+    /// Three vertices' 1/w in one power of two, the box, and all of it over w.
+    pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
+        let (texel_box, parts) = Self::new(texels);
+        (texel_box, Self::over_w(parts, aligned(inverses)))
+    }
+
+    /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.
+    #[inline(never)]
+    pub(super) fn texel(&self, at: &OverW, shift: u32) -> Exact {
+        let OverW { q, texel: [u, v] } = at.clamped();
+        let q = q.cast_unsigned();
+        let shift = recip::normalising(q, shift);
+        let reciprocal = recip::pixel(q << shift);
+        let texel = |c: i32, least: i32| {
+            let part = recip::quotient(c.cast_unsigned() << (shift - 1), reciprocal);
+            let part = if self.span_log2 > 15 { part << 1 } else { part >> (15 - self.span_log2) };
+            part.wrapping_add(least.cast_unsigned() << 16).cast_signed()
+        };
+        let [least_u, least_v] = self.least;
+        Exact { texel: [texel(u, least_u), texel(v, least_v)], q, shift, reciprocal }
+    }
+}
+
+/// A pixel's texel in 16 fraction bits, and what it was divided by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exact {
+    pub(super) texel: [i32; 2],
+    /// 1/w, 1 at least, and the shift that normalises it to 32 bits.
+    pub(super) q: u32,
+    pub(super) shift: u32,
+    /// `2^47 / (q << shift)`.
+    pub(super) reciprocal: u32,
+}

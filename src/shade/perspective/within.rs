@@ -1,0 +1,275 @@
+//! The cheapest method that keeps an error.
+
+use super::over_w::{Exact, OverW, TexelBox, aligned};
+use super::per_pixel::reciprocals;
+use super::subspans::{differences, subspans};
+use super::{Correction, Sampler};
+use crate::math::format::Attribute;
+use crate::math::{product, recip};
+use crate::transform::PerVertexInverse;
+use crate::varying::Varying;
+
+/// The cheapest of affine, subspans and a reciprocal a pixel that shows no texel further off than the caller allows.
+///
+/// Affine is chosen triangle by triangle; the length of subspans, and whether they do, run by run (a run is the visible
+/// part of a span).
+///
+/// A texel is off by at most this, up to a ratio of w of 64 and within 500 pixels of the triangle's first vertex; and by
+/// what interpolating adds where a triangle is affine, `(n + m + 2) 2^-17` texels at n columns and m rows from there. What
+/// [`PerPixel`](super::PerPixel) cannot keep is drawn as it draws: an error below `U 2^-13`, with U the power of two of
+/// texels that holds the triangle's. Zero or less asks for that everywhere; as many texels as a triangle spans, for no
+/// correction.
+///
+/// # Where a triangle may be affine
+///
+/// With q = 1/w and the weights l of its vertices, a pixel's texel is `sum(l q u) / sum(l q)`, and affine shows `sum(l u)`. The
+/// difference is `sum over edges (l_i l_j A_ij) / sum(l q)`, with `A_ij = (q_i - q_j) (u_i - u_j)`. It is worst on an edge:
+/// along an edge with A <= 0 the numerator, less any multiple of the denominator, is convex, so its greatest is on another
+/// edge; and where no A is, q and u grow alike and all of both lies between two vertices, whose edge is worst. There it is
+/// `A / (sqrt(q_i) + sqrt(q_j))^2`, at most A over the greater q and three times the lesser: over `3 q_min + q_mid`, of
+/// the least and the middle one of the triangle's. So affine texels are too low by at most P, the greatest A over
+/// that, and too high by at most N, the least. Moved by `(P - N) / 2` they are off by `(P + N) / 2`, half of it
+/// where the edges agree. They are moved only where that keeps them off the next copy of the texture, and where it is needed.
+///
+/// # How long subspans may be
+///
+/// Along a run of n steps `u'' = -2 C q' / q^3`, and C is the same everywhere: `|C| = d q_1 q_2 / n` for d texels from end to
+/// end. A subspan of N steps is off by at most `N^2 / 8 |u''|`, so by `(N / n)^2 d |q_1 - q_2| q_max / (4 q_min^2)`.
+///
+/// ```
+/// use topleft::{Attribute, Texture, Textured, Within};
+///
+/// let quarter = Textured::new(&Texture::WHITE, Within::default());
+/// let half = Textured::new(&Texture::WHITE, Within::texels(Attribute::lit("0.5")));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Within {
+    /// In 16 fraction bits.
+    error: u32,
+}
+
+impl Within {
+    /// An error of at most so many texels: from 0 to 32 768, in steps of 2^-16. Less than 0 is 0.
+    pub const fn texels(error: Attribute) -> Self {
+        let bits = error.to_bits();
+        Self { error: if bits < 0 { 0 } else { bits.cast_unsigned() } }
+    }
+}
+
+/// A quarter of a texel.
+impl Default for Within {
+    fn default() -> Self {
+        Self { error: 1 << 14 }
+    }
+}
+
+/// How a triangle is drawn.
+#[derive(Clone, Copy, Debug)]
+pub enum Way {
+    /// Its texels are linear.
+    Affine,
+    /// By subspans whose middle is off by at most so many texels, in 16 fraction bits.
+    Subspans(u32),
+}
+
+/// What [`Within`] decided for a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Chosen {
+    texel_box: TexelBox,
+    way: Way,
+}
+
+impl Correction for Within {
+    type Varying = OverW;
+    type Triangle = Chosen;
+    const PERSPECTIVE: bool = true;
+
+    fn words(self) -> [u32; 2] {
+        [self.error, 0]
+    }
+
+    #[inline]
+    fn from_words([error, _]: [u32; 2]) -> Self {
+        Self { error }
+    }
+
+    #[inline(never)]
+    fn triangle(
+        self,
+        texels: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        sizes_log2: [u8; 2],
+    ) -> (Chosen, [OverW; 3]) {
+        let (texel_box, parts) = TexelBox::new(texels);
+        let q = aligned(inverses);
+        match self.affine(&texel_box, texels, parts, q, sizes_log2) {
+            Some(texels) => (Chosen { texel_box, way: Way::Affine }, texels.map(OverW::affine)),
+            None => {
+                let way = Way::Subspans(self.between(&texel_box));
+                (Chosen { texel_box, way }, TexelBox::over_w(parts, q))
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn walk<T>(
+        self,
+        triangle: &Chosen,
+        start: OverW,
+        step: &OverW,
+        run: &mut [T],
+        sampler: &mut impl Sampler<T>,
+    ) {
+        let Chosen { texel_box, way } = triangle;
+        match *way {
+            Way::Affine => sampler.steps(run, start.texel, step.texel),
+            Way::Subspans(between) => bent(texel_box, between, start, step, run, sampler),
+        }
+    }
+}
+
+/// A run of a triangle that is not affine.
+#[inline(never)]
+fn bent<T>(
+    texel_box: &TexelBox,
+    between: u32,
+    start: OverW,
+    step: &OverW,
+    run: &mut [T],
+    sampler: &mut impl Sampler<T>,
+) {
+    let steps = run.len().saturating_sub(1);
+    // Three reciprocals are no more than two and what it takes to step.
+    if steps >= 3 && between > 0 {
+        let first = texel_box.texel(&start, 1);
+        let last = texel_box.texel(&start.plus(step.times(steps as i32)), first.shift);
+        if let Some(log2) = length(texel_box, between, steps as u32, &first, &last) {
+            return subspans(texel_box, log2, (start, step), [&first, &last], run, sampler);
+        }
+    }
+    one_by_one(texel_box, start, step, run, sampler);
+}
+
+/// A run of pixels of which each has its reciprocal.
+#[inline(never)]
+fn one_by_one<T>(
+    texel_box: &TexelBox,
+    start: OverW,
+    step: &OverW,
+    run: &mut [T],
+    sampler: &mut impl Sampler<T>,
+) {
+    reciprocals(texel_box, start, step, run, recip::pixel, sampler);
+}
+
+impl Within {
+    /// The texels of a triangle that may be affine.
+    #[inline(always)]
+    fn affine(
+        self,
+        texel_box: &TexelBox,
+        texels: [[Attribute; 2]; 3],
+        parts: [[u32; 2]; 3],
+        [qa, qb, qc]: [i32; 3],
+        sizes_log2: [u8; 2],
+    ) -> Option<[[i32; 2]; 3]> {
+        let texels = texels.map(|texel| texel.map(Attribute::to_bits));
+        let span_log2 = texel_box.span_log2;
+        if (qa == qb && qb == qc) || self.error >> span_log2 >= 1 << 16 {
+            return Some(texels);
+        }
+        // All in 15 fraction bits: 1/w, and parts of the box.
+        let [qa, qb, qc] = [qa, qb, qc].map(|q| q >> 16);
+        let (least, most) = (qa.min(qb).min(qc), qa.max(qb).max(qc));
+        // Three times the least and the middle one: what is least of an edge's greater and three times its lesser.
+        let edge = (2 * least + qa + qb + qc - most).cast_unsigned();
+        // 8 e / U, of 1/w. Moving texels rounds to 2^-16, and by a reciprocal that is right to 2^-13.
+        let error = self.error.saturating_sub((self.error >> 12) + 2);
+        let eighth = if span_log2 < 2 { error << (2 - span_log2) } else { error >> (span_log2 - 2) };
+        let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
+        let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
+        let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
+        let along = |a: i32, b: i32, c: i32| {
+            let edges = [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
+            let [d, e, f] = edges;
+            [d.max(e).max(f).max(0), d.min(e).min(f).min(0)]
+        };
+        let ([a, b, c], [width, height]) = (texels, sizes_log2);
+        let u = bend.moved([a[0], b[0], c[0]], along(au, bu, cu), width)?;
+        let v = bend.moved([a[1], b[1], c[1]], along(av, bv, cv), height)?;
+        let ([au, bu, cu], [av, bv, cv]) = (u, v);
+        Some([[au, av], [bu, bv], [cu, cv]])
+    }
+
+    /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; a step of
+    /// 2^-17 of U, and steps of 2^-16 each pixel.
+    #[inline]
+    fn between(self, texel_box: &TexelBox) -> u32 {
+        let span_log2 = texel_box.span_log2;
+        if span_log2 > 15 { 0 } else { self.error.saturating_sub((17 << span_log2 >> 1) + 64) }
+    }
+}
+
+/// How much perspective may bend the texels of an affine triangle.
+struct Bend {
+    /// Twice the error in parts of the box, times `edge`: in 30 fraction bits.
+    allowed: u32,
+    /// Of no edge is `(sqrt(q_i) + sqrt(q_j))^2` less: in 15 fraction bits.
+    edge: u32,
+    span_log2: u32,
+}
+
+/// What differences of numbers of 15 fraction bits that were rounded down make of a product of two: twice, rounded up.
+const ROUNDING: u32 = 3 << 16;
+
+impl Bend {
+    /// The texels of three vertices on an axis, moved as far as it needs, if that is enough; `most` and `least` are the ends
+    /// of what perspective makes of its edges.
+    #[inline(always)]
+    fn moved(&self, texels: [i32; 3], [most, least]: [i32; 2], size_log2: u8) -> Option<[i32; 3]> {
+        let (above, below) = (most.unsigned_abs(), least.unsigned_abs());
+        if 2 * above.max(below) + ROUNDING <= self.allowed {
+            return Some(texels);
+        }
+        if above + below + ROUNDING > self.allowed {
+            return None;
+        }
+        let sum = most + least;
+        // In 16 fraction bits: (most + least) 2^span / edge, which is not 0, as there is something allowed.
+        let shift = recip::normalising(self.edge, 16);
+        let reciprocal = recip::pixel(self.edge.max(1) << shift);
+        let size =
+            (product::unsigned(sum.unsigned_abs(), reciprocal) >> (47 - self.span_log2 - shift)) as i32;
+        let by = if sum < 0 { -size } else { size };
+        let [a, b, c] = texels;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c).wrapping_sub(1));
+        let copy = |texel: i32| texel >> size_log2 >> 16;
+        let stays = copy(low.wrapping_add(by)) == copy(low) && copy(high.wrapping_add(by)) == copy(high);
+        if stays { Some(texels.map(|texel| texel.wrapping_add(by))) } else { None }
+    }
+}
+
+/// The power of two of pixels of the subspans of a run of `steps`, 3 or more, whose middle may be off by `between`; nothing
+/// where they would be shorter than 4.
+#[inline(never)]
+fn length(texel_box: &TexelBox, between: u32, steps: u32, first: &Exact, last: &Exact) -> Option<u32> {
+    let [u, v] = differences(first.texel, last.texel).map(i32::unsigned_abs);
+    // Each end is off by U 2^-13. Rounded up to 6 fraction bits.
+    let texels = (u.max(v) >> 10) + (1 << texel_box.span_log2 >> 6) + 2;
+    let (lesser, greater) = if last.q < first.q { (last, first) } else { (first, last) };
+    let difference = greater.q - lesser.q;
+    if difference >= lesser.q || texels >> 16 != 0 || between == 0 {
+        return None;
+    }
+    // The ratio of w less 1, at most 1: the reciprocal is at most 2^-16 too low. In 16 fraction bits, rounded up.
+    let over = ((difference << (lesser.shift - 1) >> 15) * lesser.reciprocal >> 15) + 3;
+    let bend = over + ((over >> 1) * (over >> 1) >> 14) + 4;
+    // Four times the whole run's error, in 12 fraction bits.
+    let error = (texels * ((bend >> 2) + 1) >> 8) + 1;
+    let allowed = between.min((1 << 18) - 1) >> 2;
+    if error <= allowed {
+        return Some(5);
+    }
+    let square = steps.min(1 << 15) * steps.min(1 << 15);
+    (2..5).rev().find(|log2| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1))
+}

@@ -1,0 +1,185 @@
+//! Shows texels in pixels: from a texture that repeats or ends, as they are or under light.
+
+use crate::math::format::Attribute;
+use crate::math::recip;
+use crate::pixel::Pixel;
+use crate::texture::{Texture, Wrap};
+use crate::varying::Varying;
+
+/// Shows the texels of columns and rows in pixels: what a [`Correction`](super::Correction) hands runs to.
+pub trait Sampler<T> {
+    /// Shows a texel, before wrapping or clamping. A run's pixels come from the first to the last.
+    fn show(&mut self, pixel: &mut T, column: i32, row: i32);
+
+    /// Shows texels that step from pixel to pixel, with 16 fraction bits.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn steps(&mut self, run: &mut [T], start: [i32; 2], step: [i32; 2]) {
+        steps(run, start, step, |pixel, column, row| self.show(pixel, column, row));
+    }
+
+    /// The same as a function of its own, for short runs.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn subspan(&mut self, run: &mut [T], start: [i32; 2], step: [i32; 2]) {
+        self.steps(run, start, step);
+    }
+
+    /// Shows texels over w, divided by `reciprocal` of 1/w.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn octave(&mut self, run: &mut [T], octave: &Octave, reciprocal: &impl Fn(u32) -> u32) {
+        octave.divided(run, reciprocal, |pixel, column, row| self.show(pixel, column, row));
+    }
+}
+
+impl<T, F: FnMut(&mut T, i32, i32)> Sampler<T> for F {
+    #[inline(always)]
+    fn show(&mut self, pixel: &mut T, column: i32, row: i32) {
+        self(pixel, column, row);
+    }
+}
+
+/// Pixels whose 1/w has the same leading zeros: 1/w as it is normalised to 32 bits, u/w and v/w to 31, as parts of a box.
+#[derive(Clone, Copy, Debug)]
+pub struct Octave {
+    pub(super) start: [u32; 3],
+    pub(super) step: [u32; 3],
+    /// The box's whole texels, and how many of 31 bits are below one.
+    pub(super) least: [i32; 2],
+    pub(super) down: u32,
+}
+
+impl Octave {
+    /// Divides from pixel to pixel.
+    #[inline(always)]
+    fn divided<T>(
+        &self,
+        run: &mut [T],
+        reciprocal: impl Fn(u32) -> u32,
+        mut show: impl FnMut(&mut T, i32, i32),
+    ) {
+        let Self { start: [mut q, mut u, mut v], step: [dq, du, dv], least: [least_u, least_v], down } =
+            *self;
+        for pixel in run {
+            // As below.
+            core::hint::black_box(());
+            let reciprocal = reciprocal(q);
+            let part = |c: u32| (recip::quotient(c, reciprocal) >> (down & 31)).cast_signed();
+            show(pixel, least_u.wrapping_add(part(u)), least_v.wrapping_add(part(v)));
+            q = q.wrapping_add(dq);
+            u = u.wrapping_add(du);
+            v = v.wrapping_add(dv);
+        }
+    }
+}
+
+/// Steps from pixel to pixel.
+#[inline(always)]
+fn steps<T>(
+    run: &mut [T],
+    [mut u, mut v]: [i32; 2],
+    [du, dv]: [i32; 2],
+    mut show: impl FnMut(&mut T, i32, i32),
+) {
+    for pixel in run {
+        // Keeps the loop as it is: unrolled, it needs twice the registers of a small core, and is slower.
+        core::hint::black_box(());
+        show(pixel, u >> 16, v >> 16);
+        u = u.wrapping_add(du);
+        v = v.wrapping_add(dv);
+    }
+}
+
+/// What becomes of a texel.
+pub(super) trait Paint<P> {
+    fn paint(&mut self, pixel: &mut P, texel: u16);
+}
+
+/// As it is.
+pub(super) struct Plain;
+
+impl<P: Pixel> Paint<P> for Plain {
+    #[inline(always)]
+    fn paint(&mut self, pixel: &mut P, texel: u16) {
+        *pixel = P::from_texel(texel);
+    }
+}
+
+/// Under light in 64 steps, with a half for rounding, and what it changes from pixel to pixel.
+pub(super) struct Lit(pub(super) Attribute, pub(super) Attribute);
+
+impl<P: Pixel> Paint<P> for Lit {
+    #[inline(always)]
+    fn paint(&mut self, pixel: &mut P, texel: u16) {
+        let Self(light, step) = *self;
+        // Interpolation may leave the range by less than the half that rounds.
+        let steps = (light.to_bits() >> 16).unsigned_abs().min(64);
+        *pixel = P::lit_texel(texel, steps);
+        self.0 = light.plus(step);
+    }
+}
+
+/// A texture, with what becomes of its texels. What lies beyond its edges is decided once a run.
+pub(super) struct Painter<'t, D> {
+    pub(super) texture: &'t Texture<'t>,
+    pub(super) paint: D,
+}
+
+impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
+    #[inline(always)]
+    fn show(&mut self, pixel: &mut P, column: i32, row: i32) {
+        self.paint.paint(pixel, self.texture.texel(column, row));
+    }
+
+    #[inline(always)]
+    fn steps(&mut self, run: &mut [P], start: [i32; 2], step: [i32; 2]) {
+        let Self { texture, paint } = self;
+        match texture.wrap() {
+            Wrap::Repeat => {
+                let repeated = Repeated::new(texture);
+                steps(run, start, step, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
+            }
+            Wrap::Clamp => steps(run, start, step, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v))),
+        }
+    }
+
+    #[inline(never)]
+    fn octave(&mut self, run: &mut [P], octave: &Octave, reciprocal: &impl Fn(u32) -> u32) {
+        let Self { texture, paint } = self;
+        match texture.wrap() {
+            Wrap::Repeat => {
+                let repeated = Repeated::new(texture);
+                octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
+            }
+            Wrap::Clamp => {
+                octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v)));
+            }
+        }
+    }
+}
+
+/// A texture that repeats.
+struct Repeated<'t> {
+    texels: &'t [u16],
+    /// What is left of a column.
+    columns: u32,
+    width_log2: u32,
+}
+
+impl<'t> Repeated<'t> {
+    #[inline(always)]
+    fn new(texture: &Texture<'t>) -> Self {
+        let ([width_log2, _], columns) = (texture.sizes_log2(), u32::from(texture.width()) - 1);
+        Self { texels: texture.texels(), columns, width_log2: width_log2.into() }
+    }
+
+    #[inline(always)]
+    fn texel(&self, column: i32, row: i32) -> u16 {
+        let column = column.cast_unsigned() & self.columns;
+        let index = column | row.cast_unsigned() << (self.width_log2 & 31);
+        // The mask is one less than the length, a power of two: no test of the index is left.
+        let index = index as usize & self.texels.len().wrapping_sub(1);
+        self.texels.get(index).copied().unwrap_or_default()
+    }
+}
