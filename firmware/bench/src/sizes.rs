@@ -162,6 +162,8 @@ ways! {
     AffineWay, "affine", NoDepth, LEVEL, Textured::new(&TEST_CARD, Affine);
     AffineDepthWay, "affine+depth", Depth16, LEVEL, Textured::new(&TEST_CARD, Affine);
     LitAffineDepthWay, "lit-affine+depth", Depth16, LEVEL, Textured::new(&TEST_CARD, Affine).lit_by(&light());
+    SubspanWay, "perspective-subspan-16", NoDepth, RECEDING, Textured::new(&TEST_CARD, Subspans::Of16);
+    SubspanDepthWay, "perspective-subspan-16+depth", Depth16, RECEDING, Textured::new(&TEST_CARD, Subspans::Of16);
     PixelWay, "perspective-pixel", NoDepth, RECEDING, Textured::new(&TEST_CARD, PerPixel);
     PixelDepthWay, "perspective-pixel+depth", Depth16, RECEDING, Textured::new(&TEST_CARD, PerPixel);
     LitPixelDepthWay, "lit-perspective-pixel+depth", Depth16, RECEDING, Textured::new(&TEST_CARD, PerPixel).lit_by(&light());

@@ -2,7 +2,9 @@
 
 use scenes::{Scene, View, by_name};
 use topleft::stages::{Correction, Traversal};
-use topleft::{Affine, Depth16, DrawError, DrawList, PerPixel};
+use topleft::{
+    Affine, Attribute, Depth16, Divided, DrawError, DrawList, PerPixel, Portable, Subspans, Within,
+};
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
 
@@ -13,7 +15,17 @@ const SCENES: [&str; 4] = ["leaning-cube", "globe", "horizon", "corridor"];
 pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
     for scene in SCENES.into_iter().filter_map(by_name) {
         let mut texels = Texels { scene, bench, buffers };
+        let within = |texels| Within::texels(Attribute::lit(texels));
         texels.by("affine+depth", Affine);
+        texels.by("perspective-subspan-32+depth", Subspans::Of32);
+        texels.by("perspective-subspan-16+depth", Subspans::Of16);
+        texels.by("perspective-subspan-8+depth", Subspans::Of8);
+        texels.by("perspective-subspan-4+depth", Subspans::Of4);
+        texels.by("perspective-within-1+depth", within("1"));
+        texels.by("perspective-within-1/2+depth", within("0.5"));
+        texels.by("perspective-within-1/4+depth", within("0.25"));
+        texels.by("perspective-within-1/16+depth", within("0.0625"));
+        texels.by("perspective-divided+depth", Divided::<Portable>::new());
         texels.by("perspective-pixel+depth", PerPixel);
     }
 }

@@ -113,7 +113,7 @@ impl<'a, C: Correction> PixelShader<'a, Cell> for Located<'a, C> {
         step: &C::Varying,
         run: &mut [Cell],
     ) {
-        self.1.walk(&triangle, start, step, run.iter_mut(), |cell, u, v| {
+        self.1.walk(&triangle, start, step, run, &mut |cell: &mut Cell, u, v| {
             *cell = Cell { triangle: number, texel: [u, v] };
         });
     }

@@ -8,7 +8,7 @@ use topleft::stages::Correction;
 
 use crate::method::{self, Bound, EachMethod, Method};
 use crate::spy::{self, Cell, Seen};
-use crate::tolerance::{affine, interpolation, per_pixel};
+use crate::tolerance::{RECIPROCAL, affine, half, interpolation, per_pixel};
 
 /// The scenes whose textures decide: few large faces, and many small ones.
 pub(crate) const SCENES: [&str; 4] = ["leaning-cube", "globe", "horizon", "corridor"];
@@ -90,15 +90,20 @@ fn bound_at(bound: Bound, triangle: &Seen, values: [f64; 3], [x, y]: [i64; 2]) -
     let [ax, ay] = triangle.points[0].map(|c| i64::from(c.div_euclid(256)));
     let steps = x.abs_diff(ax) + y.abs_diff(ay);
     let largest = triangle.q.into_iter().fold(0.0, f64::max);
+    let unit = 2.0_f64.powi(-largest.log2().ceil() as i32);
+    let share = linear(triangle.points, triangle.q, x, y) * unit;
+    let by_table = texel_box(triangle) * per_pixel(steps, share);
+    let linear = interpolation(16, steps, range(values));
     match bound {
         Bound::Triangle => {
             let least = triangle.q.into_iter().fold(f64::MAX, f64::min);
-            affine(range(values), largest / least) + interpolation(16, steps, range(values))
+            affine(range(values), largest / least) + linear
         }
-        Bound::Pixel => {
-            let unit = 2.0_f64.powi(-largest.log2().ceil() as i32);
-            texel_box(triangle) * per_pixel(steps, linear(triangle.points, triangle.q, x, y) * unit)
-        }
+        // What it cannot keep is drawn by the table.
+        Bound::Asked(error) => by_table.max(error + linear),
+        // The ends of subspans are as exact; what lies between them is added once.
+        Bound::Every(_) | Bound::Pixel => by_table,
+        Bound::Quotient => texel_box(triangle) * (per_pixel(steps, share) - RECIPROCAL + half(14)),
     }
 }
 
@@ -114,7 +119,8 @@ fn texel_box(triangle: &Seen) -> f64 {
 /// Pixels from one exact texel to the next, for a method that steps between.
 fn steps(bound: Bound) -> Option<i64> {
     match bound {
-        Bound::Triangle | Bound::Pixel => None,
+        Bound::Every(pixels) => Some(pixels),
+        _ => None,
     }
 }
 
@@ -133,7 +139,10 @@ fn between_steps(triangle: &Seen, length: i64) -> f64 {
                 let [from, to] =
                     [left, right].map(|x| perspective(triangle.points, values, triangle.q, x, y));
                 let [q0, q1] = [left, right].map(|x| linear(triangle.points, triangle.q, x, y));
-                worst = worst.max(affine((to - from).abs(), (q0 / q1).max(q1 / q0)));
+                let (texels, ratio) = ((to - from).abs(), (q0 / q1).max(q1 / q0));
+                // A step is rounded down to 2^-16, and off by 2^-17 of the difference where it is divided by a table.
+                let stepped = (length + 1) as f64 * half(16) + texels * half(17);
+                worst = worst.max(affine(texels, ratio) + stepped);
             }
         }
     }
