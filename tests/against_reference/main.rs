@@ -17,6 +17,7 @@ mod texture;
 mod interpolation;
 mod vertices;
 mod depth;
+mod methods;
 mod texels;
 mod frames;
 

@@ -5,7 +5,7 @@ use reference::matrix::Matrix;
 use reference::setup::Triangle;
 use reference::varying::linear;
 use topleft::stages::{
-    PerVertexInverse, PixelShader, Setup, Shader, Snapped, Span, Traversal, Uniforms, Window,
+    Correction, PerVertexInverse, PixelShader, Setup, Shader, Snapped, Span, Traversal, Uniforms, Window,
 };
 use topleft::{Attribute, Length, MatrixCamera, Mesh, Pixel, Pose, Spans};
 
@@ -36,6 +36,19 @@ impl Covered {
         let [ax, ay] = self.setup.gradients().anchor();
         u64::from(x.abs_diff(ax)) + u64::from(y.abs_diff(ay))
     }
+}
+
+/// The columns and rows of the texels that a method shows in a run.
+pub(crate) fn texels_of<C: Correction>(
+    method: C,
+    triangle: &C::Triangle,
+    start: C::Varying,
+    step: &C::Varying,
+    pixels: i32,
+) -> Vec<[i32; 2]> {
+    let mut run = vec![[0; 2]; pixels as usize];
+    method.walk(triangle, start, step, &mut run, &mut |texel: &mut [i32; 2], u, v| *texel = [u, v]);
+    run
 }
 
 /// The ends of a span and a place or two inside.

@@ -9,7 +9,7 @@ use topleft::{
 };
 
 use crate::measured::{Errors, Row, hold};
-use crate::probe::{Covered, SIZE, exact_perspective, outside, range, sampled, snapped, w_of};
+use crate::probe::{Covered, SIZE, exact_perspective, outside, range, sampled, snapped, texels_of, w_of};
 use crate::random::{Kind, Random};
 use crate::tolerance::{SIXTEENTH, affine, interpolation, per_pixel};
 
@@ -18,13 +18,16 @@ fn map() -> Vec<u16> {
     (0..=u16::MAX).collect()
 }
 
+/// The powers of two of the texture's sizes.
+pub(crate) const SIZES: [u8; 2] = [8, 8];
+
 /// 1/w as a vertex carries it.
-fn inverse(w: u32) -> PerVertexInverse {
+pub(crate) fn inverse(w: u32) -> PerVertexInverse {
     PerVertexInverse::load(&mut [inverse_word(w)].into_iter()).unwrap()
 }
 
 /// Three values of w from `least` to `ratio` times as much.
-fn distances(ratio: f64, random: &mut Random) -> [u32; 3] {
+pub(crate) fn distances(ratio: f64, random: &mut Random) -> [u32; 3] {
     let least = random.within(1 << 22, 1 << 23) as f64;
     let between = 1.0 + (ratio - 1.0) * random.unit();
     let mut w = [1.0, ratio, between].map(|share| (least * share) as u32);
@@ -33,7 +36,7 @@ fn distances(ratio: f64, random: &mut Random) -> [u32; 3] {
 }
 
 /// The power of two of texels that holds a triangle's span.
-fn texel_box(texels: [[f64; 2]; 3]) -> f64 {
+pub(crate) fn texel_box(texels: [[f64; 2]; 3]) -> f64 {
     let span = |axis: usize| {
         let ends = texels.map(|texel| texel[axis]);
         let most = ends.into_iter().fold(f64::MIN, f64::max);
@@ -54,7 +57,7 @@ fn errors<C: Correction>(correction: C, kind: Kind, ratio: f64, size: f64, count
             [(); 2].map(|()| Attribute::from_bits(((random.unit() - 0.5) * size * 65_536.0) as i32))
         });
         let exact = texels.map(|texel| texel.map(|c| f64::from(c.to_bits()) / 65_536.0));
-        let (shared, varyings) = correction.triangle(texels, w.map(inverse));
+        let (shared, varyings) = correction.triangle(texels, w.map(inverse), SIZES);
         let gradients = covered.setup.gradients();
         let plane = C::Varying::plane(&gradients, varyings);
         let [ax, ay] = gradients.anchor();
@@ -64,8 +67,7 @@ fn errors<C: Correction>(correction: C, kind: Kind, ratio: f64, size: f64, count
         let u = texel_box(exact);
         for span in &covered.spans {
             let start = plane.at(span.start - ax, span.y - ay);
-            let mut shown = Vec::new();
-            correction.walk(&shared, start, &plane.dx, span.start..span.end, |_, u, v| shown.push([u, v]));
+            let shown = texels_of(correction, &shared, start, &plane.dx, span.end - span.start);
             for x in sampled(span, &mut random) {
                 let (column, row) = (i64::from(x), i64::from(span.y));
                 let steps = covered.steps(x, span.y);
@@ -134,18 +136,20 @@ pub(crate) fn affine_for_perspective(ratio: f64) -> Row {
         let values = [0, 1, 2].map(|k| if is_near(k) { 1.0 } else { 255.0 });
         let q = [0, 1, 2].map(|k| if is_near(k) { 1.0 } else { 1.0 / ratio });
         let texels = values.map(|value| [Attribute::from_num(value); 2]);
-        let ((), varyings) = Affine.triangle(texels, [inverse(1 << 22); 3]);
+        let ((), varyings) = Affine.triangle(texels, [inverse(1 << 22); 3], SIZES);
         let gradients = covered.setup.gradients();
         let plane = Varying::plane(&gradients, varyings);
         let [ax, ay] = gradients.anchor();
         for span in &covered.spans {
             let start = plane.at(span.start - ax, span.y - ay);
-            Affine.walk(&(), start, &plane.dx, span.start..span.end, |x, texel, _| {
+            for (x, [texel, _]) in
+                (span.start..).zip(texels_of(Affine, &(), start, &plane.dx, span.end - span.start))
+            {
                 let wanted = perspective(covered.triangle, values, q, x.into(), span.y.into());
                 let bound = affine(254.0, ratio) + interpolation(16, covered.steps(x, span.y), 254.0);
                 let name = || format!("{:?} at {x}, {}: {texel} for {wanted}", covered.triangle, span.y);
                 errors.add(outside(texel, wanted), bound, name);
-            });
+            }
         }
     }
     // One texel is hidden by rounding down, and the next pixel to the worst place is less than one further.
@@ -257,8 +261,8 @@ fn a_texture_is_fetched_where_the_correction_says() {
         let start: <PerPixel as Correction>::Varying = plane.at(span.start - ax, span.y - ay);
         let mut run = vec![0_u16; (span.end - span.start) as usize];
         shader.shade(&shared, start, &plane.dx, &mut run);
-        let mut wanted = Vec::new();
-        PerPixel.walk(&shared, start, &plane.dx, 0..run.len(), |_, u, v| wanted.push(texture.texel(u, v)));
+        let shown = texels_of(PerPixel, &shared, start, &plane.dx, run.len() as i32);
+        let wanted: Vec<u16> = shown.into_iter().map(|[u, v]| texture.texel(u, v)).collect();
         assert_eq!(run, wanted);
     }
 }

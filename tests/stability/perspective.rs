@@ -8,7 +8,7 @@ use topleft::stages::{Correction, PerVertexInverse, Varying, Words};
 use topleft::{Attribute, PerPixel};
 
 use crate::figure::grouped;
-use crate::probe::{Covered, outside};
+use crate::probe::{Covered, outside, texels_of};
 use crate::random::{Kind, Random};
 use crate::support::tolerance::{SIXTEENTH, affine, per_pixel};
 
@@ -44,13 +44,14 @@ impl Receding {
         let inverses =
             self.w.map(|w| PerVertexInverse::load(&mut [inverse_word(w)].into_iter()).expect("a word"));
         let texels = self.u.map(|u| [Attribute::from_num(u), Attribute::ZERO]);
-        let (shared, varyings) = PerPixel.triangle(texels, inverses);
+        let (shared, varyings) = PerPixel.triangle(texels, inverses, [8, 8]);
         let gradients = self.covered.setup.gradients();
         let plane = <PerPixel as Correction>::Varying::plane(&gradients, varyings);
         let [ax, ay] = gradients.anchor();
         for span in &self.covered.spans {
             let start = plane.at(span.start - ax, span.y - ay);
-            PerPixel.walk(&shared, start, &plane.dx, span.start..span.end, |x, u, _| each(x, span.y, u));
+            let shown = texels_of(PerPixel, &shared, start, &plane.dx, span.end - span.start);
+            (span.start..).zip(shown).for_each(|(x, [u, _])| each(x, span.y, u));
         }
     }
 

@@ -27,20 +27,39 @@ pub(crate) const REACHED: f64 = 0.5;
 
 // Texels, per pixel. In units of the triangle's box of texels, U.
 
-/// Of a reciprocal: the chord lies up to 2^-14 above, and table and interpolation are each rounded by half a step of
-/// 2^15, 2^-15 together. Below, those 2^-15, and u / w loses up to a step of its 17 bits times a reciprocal of 16, 2^-15
-/// again: no more than above.
+/// Of a reciprocal r of x, from 1 to 2: the chord lies up to 2^-14 above, and the table is rounded by half a step of 2^-16
+/// of r, 2^-16 at most. Below, that half step and a whole one of interpolation, 3 x 2^-17; and u / w loses up to a step of
+/// its 17 bits times r, 2^-15 / x: together no more than 2^-14. Divided, a step of 2^-16 of r and the same of u / w, below,
+/// and 2^-16 above, as x has 17 bits.
 pub(crate) const RECIPROCAL: f64 = half(14) + half(15);
 /// 1/w of a vertex: a mantissa of 26 bits, rounded down, of a reciprocal that is right to 2^-27.9.
 pub(crate) const VERTEX_INVERSE: f64 = half(25) + half(27);
 /// u/w at a vertex: its part of the box and the product are each rounded down to 2^-31; and 1/w once more.
 pub(crate) const OVER_W: f64 = 3.0 * half(31);
 
+/// A vertex whose 1/w would be a power of two less a step has 2^-18 less of it. A share l of it changes a texel by
+/// l (1 - l) of that.
+pub(crate) const GREATEST: f64 = half(20);
+
 /// A texel of a box of one unit, where the triangle's 1/w is `q` of the power of two above its largest.
 pub(crate) fn per_pixel(steps: u64, q: f64) -> f64 {
     // Both u/w and 1/w are interpolated, over at most 1; their errors are divided by 1/w.
     let carried = 2.0 * interpolation(31, steps, 1.0) + OVER_W;
-    carried / (q - carried) + VERTEX_INVERSE + RECIPROCAL
+    carried / (q - carried) + VERTEX_INVERSE + GREATEST + RECIPROCAL
+}
+
+/// Of a texel between two exact ones that are `texels` and a ratio of w apart, `ends` being what those are off by in a box
+/// of `unit` texels: what affine is off by between them; a step that is rounded down, for 32 pixels; and one over their
+/// number, right to 2^-16.
+pub(crate) fn subspan(texels: f64, ratio: f64, unit: f64, ends: f64) -> f64 {
+    affine(texels, ratio) + unit * (ends + half(16)) + 32.0 * half(16)
+}
+
+/// What a caller allows, where `ends` as above is at most 2^-13: `Within` counts that for the ends. What is more is no part
+/// of what it promises; nor is what a plane of linear texels is off by, from 0 to `range`.
+pub(crate) fn within(error: f64, unit: f64, ends: f64, steps: u64, range: f64) -> f64 {
+    let more = unit * (ends - half(13)).max(0.0);
+    (error + more).max(unit * ends) + interpolation(16, steps, range)
 }
 
 /// Of a texel where nothing is corrected, on a triangle that spans `texels` and a ratio of w.

@@ -119,16 +119,16 @@ pub(super) fn differences([u, v]: [i32; 2], [to_u, to_v]: [i32; 2]) -> [i32; 2] 
     [to_u.wrapping_sub(u), to_v.wrapping_sub(v)]
 }
 
-/// One over the steps of a subspan: 16 bits, rounded to nearest, and the shift that follows them less one.
+/// One over the steps of a subspan: 16 bits, rounded to nearest, and the shift that follows the product's 16.
 #[derive(Clone, Copy)]
 struct Quotient {
     reciprocal: u16,
     shift: u16,
 }
 
-/// Of 1 to 32 steps. None are as good as one.
+/// Of 1 to 32 steps. One itself is 2^-16 too low; of none, nothing is stepped.
 static QUOTIENTS: [Quotient; 33] = {
-    let mut quotients = [Quotient { reciprocal: 1 << 15, shift: 0 }; 33];
+    let mut quotients = [Quotient { reciprocal: u16::MAX, shift: 0 }; 33];
     let mut steps = 2;
     while steps < quotients.len() {
         let log2 = (steps - 1).ilog2();
@@ -145,7 +145,7 @@ impl Quotient {
         QUOTIENTS.get(steps).copied().unwrap_or(Self { reciprocal: 0, shift: 0 })
     }
 
-    /// Differences over the steps: each rounded down, and off by 2^-17 of itself.
+    /// Differences over the steps: each rounded down, and off by 2^-16 of itself.
     #[inline(always)]
     fn of_each(self, differences: [i32; 2]) -> [i32; 2] {
         let reciprocal = i32::from(self.reciprocal);

@@ -201,12 +201,12 @@ impl Within {
         Some([[au, av], [bu, bv], [cu, cv]])
     }
 
-    /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; a step of
-    /// 2^-17 of U, and steps of 2^-16 each pixel.
+    /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; 2^-16 of U
+    /// for the step, which is rounded down as well: by 2^-16 for each of 32 pixels.
     #[inline]
     fn between(self, texel_box: &TexelBox) -> u32 {
         let span_log2 = texel_box.span_log2;
-        if span_log2 > 15 { 0 } else { self.error.saturating_sub((17 << span_log2 >> 1) + 64) }
+        if span_log2 > 15 { 0 } else { self.error.saturating_sub((9 << span_log2) + 32) }
     }
 }
 
@@ -271,5 +271,5 @@ fn length(texel_box: &TexelBox, between: u32, steps: u32, first: &Exact, last: &
         return Some(5);
     }
     let square = steps.min(1 << 15) * steps.min(1 << 15);
-    (2..5).rev().find(|log2| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1))
+    (2..=5).rev().find(|log2| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1))
 }

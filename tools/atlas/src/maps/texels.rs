@@ -66,16 +66,17 @@ fn of_library<C: Correction + Default>(case: &Case) -> f64 {
     let inverses = w.map(|w| PerVertexInverse::load(&mut [inverse_word(w)].into_iter()).expect("a word"));
     let finer = FINEST / case.texels[1];
     let texels = case.texels.map(|u| [Attribute::from_num(u * finer - FINEST / 2.0), Attribute::ZERO]);
-    let (shared, varyings) = method.triangle(texels, inverses);
+    let (shared, varyings) = method.triangle(texels, inverses, [8, 8]);
     let (gradients, span) = (case.setup().gradients(), case.span());
     let plane = C::Varying::plane(&gradients, varyings);
     let [ax, ay] = gradients.anchor();
     let start = plane.at(span.start - ax, span.y - ay);
     let mut worst = 0.0_f64;
-    method.walk(&shared, start, &plane.dx, span.start..span.end, |x, u, _| {
+    let mut run: Vec<i32> = (span.start..span.end).collect();
+    method.walk(&shared, start, &plane.dx, &mut run, &mut |x: &mut i32, u, _| {
         let shown = (f64::from(u) + FINEST / 2.0) / finer;
         // The texel that was rounded down to holds all of its step.
-        let exact = case.exact(x);
+        let exact = case.exact(*x);
         worst = worst.max(shown - exact).max(exact - shown - 1.0 / finer);
     });
     worst
