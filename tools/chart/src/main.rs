@@ -70,7 +70,7 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<Vec<String>, String> {
     let root: &Path = &options.root;
     let inputs = gather::Inputs::read(root)?;
-    let tables = gather::tables(&inputs, options.check || options.keep_host);
+    let tables = gather::tables(&inputs, options.check || options.keep_host)?;
     let files = output::files(root, &tables, &inputs)?;
     if options.check { output::check(root, &files) } else { output::write(root, &files).map(|()| Vec::new()) }
 }

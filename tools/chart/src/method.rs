@@ -37,10 +37,8 @@ pub(crate) enum Bound {
     Every(i64),
     /// What the caller asks for.
     Asked(f64),
-    /// A reciprocal a pixel.
+    /// A reciprocal or a quotient a pixel.
     Pixel,
-    /// A quotient a pixel.
-    Quotient,
 }
 
 /// A method at one setting.
@@ -81,7 +79,7 @@ pub(crate) fn for_each(each: &mut impl EachMethod) {
         each.method(method(Family::Within, setting, row, Bound::Asked(error)), within);
     }
     each.method(method(Family::PerPixel, "", "perspective-pixel+depth", Bound::Pixel), PerPixel);
-    let divided = method(Family::Divided, "", "perspective-divided+depth", Bound::Quotient);
+    let divided = method(Family::Divided, "", "perspective-divided+depth", Bound::Pixel);
     each.method(divided, Divided::<Portable>::new());
 }
 

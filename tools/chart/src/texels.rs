@@ -8,7 +8,7 @@ use topleft::stages::Correction;
 
 use crate::method::{self, Bound, EachMethod, Method};
 use crate::spy::{self, Cell, Seen};
-use crate::tolerance::{RECIPROCAL, affine, half, interpolation, per_pixel};
+use crate::tolerance::{affine, interpolation, per_pixel, subspan, within};
 
 /// The scenes whose textures decide: few large faces, and many small ones.
 pub(crate) const SCENES: [&str; 4] = ["leaning-cube", "globe", "horizon", "corridor"];
@@ -65,8 +65,8 @@ fn measure(scene: &'static Scene, method: Method, correction: impl Correction + 
             bound = bound.max(bound_at(method.bound, triangle, values, [x, y]));
         }
     }
-    if let Some(rows) = steps(method.bound) {
-        bound += seen.iter().map(|triangle| between_steps(triangle, rows)).fold(0.0, f64::max);
+    if let Bound::Every(pixels) = method.bound {
+        bound = seen.iter().map(|triangle| between_steps(triangle, pixels)).fold(0.0, f64::max);
     }
     errors.sort_by(f64::total_cmp);
     let at = |share: f64| errors[((errors.len() - 1) as f64 * share).ceil() as usize];
@@ -80,30 +80,38 @@ fn outside(texel: i32, exact: f64) -> f64 {
     (texel - exact).max(exact - texel - 1.0).max(0.0)
 }
 
+/// The largest difference between three values.
 fn range(values: [f64; 3]) -> f64 {
     let [a, b, c] = values;
     a.max(b).max(c) - a.min(b).min(c)
 }
 
-/// What a pixel's texel may be off by.
-fn bound_at(bound: Bound, triangle: &Seen, values: [f64; 3], [x, y]: [i64; 2]) -> f64 {
+/// Pixels from a triangle's first vertex, n + m.
+fn steps_to(triangle: &Seen, [x, y]: [i64; 2]) -> u64 {
     let [ax, ay] = triangle.points[0].map(|c| i64::from(c.div_euclid(256)));
-    let steps = x.abs_diff(ax) + y.abs_diff(ay);
+    x.abs_diff(ax) + y.abs_diff(ay)
+}
+
+/// What a texel that is divided may be off by, in units of its box.
+fn ends(triangle: &Seen, at: [i64; 2]) -> f64 {
     let largest = triangle.q.into_iter().fold(0.0, f64::max);
     let unit = 2.0_f64.powi(-largest.log2().ceil() as i32);
-    let share = linear(triangle.points, triangle.q, x, y) * unit;
-    let by_table = texel_box(triangle) * per_pixel(steps, share);
-    let linear = interpolation(16, steps, range(values));
+    per_pixel(steps_to(triangle, at), linear(triangle.points, triangle.q, at[0], at[1]) * unit)
+}
+
+/// What a pixel's texel may be off by.
+fn bound_at(bound: Bound, triangle: &Seen, values: [f64; 3], at: [i64; 2]) -> f64 {
+    let (steps, range) = (steps_to(triangle, at), range(values));
     match bound {
         Bound::Triangle => {
+            let largest = triangle.q.into_iter().fold(0.0, f64::max);
             let least = triangle.q.into_iter().fold(f64::MAX, f64::min);
-            affine(range(values), largest / least) + linear
+            affine(range, largest / least) + interpolation(16, steps, range)
         }
-        // What it cannot keep is drawn by the table.
-        Bound::Asked(error) => by_table.max(error + linear),
-        // The ends of subspans are as exact; what lies between them is added once.
-        Bound::Every(_) | Bound::Pixel => by_table,
-        Bound::Quotient => texel_box(triangle) * (per_pixel(steps, share) - RECIPROCAL + half(14)),
+        Bound::Asked(error) => within(error, texel_box(triangle), ends(triangle, at), steps, range),
+        // Each row has its own, for both ends.
+        Bound::Every(_) => 0.0,
+        Bound::Pixel => texel_box(triangle) * ends(triangle, at),
     }
 }
 
@@ -114,14 +122,6 @@ fn texel_box(triangle: &Seen) -> f64 {
         a.max(b).max(c) - a.min(b).min(c).floor()
     };
     (span(0).max(span(1)).ceil() as u64).next_power_of_two() as f64
-}
-
-/// Pixels from one exact texel to the next, for a method that steps between.
-fn steps(bound: Bound) -> Option<i64> {
-    match bound {
-        Bound::Every(pixels) => Some(pixels),
-        _ => None,
-    }
 }
 
 /// What linear steps between pixels `length` apart, or less at a row's end, are off by at the most: for any place where
@@ -139,10 +139,13 @@ fn between_steps(triangle: &Seen, length: i64) -> f64 {
                 let [from, to] =
                     [left, right].map(|x| perspective(triangle.points, values, triangle.q, x, y));
                 let [q0, q1] = [left, right].map(|x| linear(triangle.points, triangle.q, x, y));
-                let (texels, ratio) = ((to - from).abs(), (q0 / q1).max(q1 / q0));
-                // A step is rounded down to 2^-16, and off by 2^-17 of the difference where it is divided by a table.
-                let stepped = (length + 1) as f64 * half(16) + texels * half(17);
-                worst = worst.max(affine(texels, ratio) + stepped);
+                let of_ends = [left, right].map(|x| ends(triangle, [x, y])).into_iter().fold(0.0, f64::max);
+                worst = worst.max(subspan(
+                    (to - from).abs(),
+                    (q0 / q1).max(q1 / q0),
+                    texel_box(triangle),
+                    of_ends,
+                ));
             }
         }
     }
