@@ -5,7 +5,7 @@ use scenes::texture::TEST_CARD;
 use topleft::stages::Traversal;
 use topleft::{
     Affine, Depth16, DrawError, DrawList, Flat, Gouraud, Length, Material, MatrixCamera, Mesh, MeshError,
-    NoDepth, PerPixel, Pose, Sun, Textured,
+    NoDepth, PerPixel, Pose, Subspans, Sun, Textured,
 };
 
 use crate::grid::matrix;

@@ -68,16 +68,28 @@ fn far_of(scene: &Scene) -> f64 {
     }
 }
 
-/// The faces at each pixel in the order in which they are drawn, with their exact depths.
-fn layers(scene: &Scene, frame: &Frame) -> Vec<Vec<(usize, f64)>> {
+/// A face at a pixel: its exact depth there, and in the middle of its triangle.
+#[derive(Clone, Copy, Debug)]
+struct Layer {
+    face: usize,
+    depth: f64,
+    middle: f64,
+}
+
+/// The faces at each pixel in the order in which they are drawn.
+fn layers(scene: &Scene, frame: &Frame) -> Vec<Vec<Layer>> {
     let (width, height) = (i64::from(PANEL.width), i64::from(PANEL.height));
     let mut layers = vec![Vec::new(); (width * height) as usize];
     for (face, patches) in frame.faces.iter().enumerate() {
         for patch in patches.iter().filter(|patch| is_drawn(scene, patch)) {
+            let [x, y] =
+                [0, 1].map(|axis| patch.triangle.iter().map(|p| i64::from(p[axis])).sum::<i64>() / 768);
+            let middle = patch.depth(x, y).0;
             for y in 0..height {
                 let Some((start, end)) = row_span(patch.triangle, y) else { continue };
                 for x in start.max(0)..end.min(width) {
-                    layers[(y * width + x) as usize].push((face, patch.depth(x, y).0));
+                    let depth = patch.depth(x, y).0;
+                    layers[(y * width + x) as usize].push(Layer { face, depth, middle });
                 }
             }
         }
@@ -95,12 +107,12 @@ fn is_drawn(scene: &Scene, patch: &Patch) -> bool {
 }
 
 /// The face that is seen where the greatest key wins, and the earlier of two that are equal.
-fn seen<K: PartialOrd>(layers: &[(usize, f64)], key: impl Fn(f64) -> K) -> Option<usize> {
+fn seen<K: PartialOrd>(layers: &[Layer], key: impl Fn(&Layer) -> K) -> Option<usize> {
     let mut best: Option<(usize, K)> = None;
-    for &(face, depth) in layers {
-        let key = key(depth);
+    for layer in layers {
+        let key = key(layer);
         if best.as_ref().is_none_or(|(_, most)| key > *most) {
-            best = Some((face, key));
+            best = Some((layer.face, key));
         }
     }
     best.map(|(face, _)| face)
@@ -148,7 +160,6 @@ impl Kept for Depth16 {
 pub(crate) fn inversions(costs: [Option<f64>; 2], mut done: impl FnMut()) -> Table {
     let mut header = vec!["method", "m0_cycles_per_px"];
     header.extend(SCENES);
-    header.push("inverted");
     let mut table = Table::new(&header);
     let scenes: Vec<&Scene> = SCENES.into_iter().filter_map(by_name).collect();
     let counted: Vec<Vec<usize>> = scenes
@@ -156,7 +167,7 @@ pub(crate) fn inversions(costs: [Option<f64>; 2], mut done: impl FnMut()) -> Tab
         .map(|scene| {
             let frame = Frame::new(scene, PANEL, &View::default());
             let layers = layers(scene, &frame);
-            let nearest: Vec<_> = layers.iter().map(|layers| seen(layers, |depth| depth)).collect();
+            let nearest: Vec<_> = layers.iter().map(|layers| seen(layers, |layer| layer.depth)).collect();
             let wrong = |shown: &dyn Fn(usize) -> Option<usize>| {
                 (0..layers.len())
                     .filter(|&pixel| shown(pixel).is_some_and(|face| nearest[pixel] != Some(face)))
@@ -172,22 +183,26 @@ pub(crate) fn inversions(costs: [Option<f64>; 2], mut done: impl FnMut()) -> Tab
                 })
             };
             let far = far_of(scene);
-            let mut counts = vec![library(drawn::<NoDepth>(scene)), library(drawn::<Depth16>(scene))];
+            let mut counts = vec![
+                library(drawn::<NoDepth>(scene)),
+                wrong(&|pixel| seen(&layers[pixel], |layer| layer.middle)),
+                library(drawn::<Depth16>(scene)),
+            ];
             for (_, format) in Format::ALL.into_iter().skip(1) {
-                counts.push(wrong(&|pixel| seen(&layers[pixel], |depth| format.code(depth, far))));
+                counts.push(wrong(&|pixel| seen(&layers[pixel], |layer| format.code(layer.depth, far))));
             }
             done();
             counts
         })
         .collect();
-    let names = std::iter::once("NoDepth, as listed").chain(Format::ALL.map(|(name, _)| name));
+    let names = ["NoDepth, as listed", "sorted by triangle (model)"].into_iter();
+    let names = names.chain(Format::ALL.map(|(name, _)| name));
     for (row, name) in names.enumerate() {
-        // Models have no cost of their own: they are drawn where the library's buffer is.
-        let cost = costs[row.min(1)].map_or(String::new(), figure);
+        // Models have no cost of their own: they are drawn where the library's are, without a buffer and with one.
+        let cost = costs[usize::from(row > 1)].map_or(String::new(), figure);
         let counts: Vec<usize> = counted.iter().map(|counts| counts[row]).collect();
         let mut cells = vec![name.to_owned(), cost];
         cells.extend(counts.iter().map(usize::to_string));
-        cells.push(counts.iter().sum::<usize>().to_string());
         table.rows.push(cells);
     }
     table
@@ -216,11 +231,11 @@ pub(crate) fn resolution(mut done: impl FnMut()) -> Table {
                 !layers.iter().zip(&library).any(|(layers, &library)| {
                     let shown = match format {
                         Format::Linear => library,
-                        Format::Float(_) => seen(layers, |depth| format.code(depth, far)),
+                        Format::Float(_) => seen(layers, |layer| format.code(layer.depth, far)),
                     };
                     shown.is_some_and(|face| {
                         red.contains(&face)
-                            && layers.iter().any(|(other, _)| (red.end..red.end + 2).contains(other))
+                            && layers.iter().any(|layer| (red.end..red.end + 2).contains(&layer.face))
                     })
                 })
             };

@@ -160,6 +160,9 @@ fn draw_points(canvas: &Canvas<'_>, panel: &Panel, points: &[Point], mut labels:
         if values.len() > 1 {
             panel.line(canvas, &values, shape.colour, 2);
         }
+        for pair in values.windows(2) {
+            labels.keep_line_clear([pair[0], pair[1]].map(|[x, y]| panel.at(x, y)));
+        }
         for point in of_family {
             let ([cost, least, most], [error, ..]) = (point.cost, point.error);
             panel.line(canvas, &[[least, error], [most, error]], shape.colour, 1);

@@ -27,6 +27,15 @@ impl Labels {
         self.taken.push(block);
     }
 
+    /// Keeps a line clear.
+    pub(crate) fn keep_line_clear(&mut self, [from, to]: [[i32; 2]; 2]) {
+        let steps = (from[0].abs_diff(to[0]).max(from[1].abs_diff(to[1])) / 4).max(1) as i32;
+        for step in 0..=steps {
+            let [x, y] = [0, 1].map(|k| from[k] + (to[k] - from[k]) * step / steps);
+            self.taken.push([[x - 1, y - 1], [x + 1, y + 1]]);
+        }
+    }
+
     /// Writes a label as near to its place as there is room, with a thin line where that is not beside it.
     pub(crate) fn write(&mut self, canvas: &Canvas<'_>, text: &str, [x, y]: [i32; 2], colour: Colour) {
         let wide = width(text, HEIGHT);

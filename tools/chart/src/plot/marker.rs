@@ -20,11 +20,11 @@ impl Shape {
     /// From dark to light.
     pub(crate) const SQUARE: Self =
         Self { corners: &[[-5, -5], [5, -5], [5, 5], [-5, 5]], colour: [40, 12, 84] };
-    pub(crate) const CIRCLE: Self = Self { corners: &[], colour: [150, 30, 50] };
-    pub(crate) const TRIANGLE: Self = Self { corners: &[[0, -7], [7, 5], [-7, 5]], colour: [0, 105, 140] };
+    pub(crate) const CIRCLE: Self = Self { corners: &[], colour: [150, 20, 40] };
+    pub(crate) const TRIANGLE: Self = Self { corners: &[[0, -7], [7, 5], [-7, 5]], colour: [0, 120, 160] };
     pub(crate) const DIAMOND: Self =
-        Self { corners: &[[0, -7], [7, 0], [0, 7], [-7, 0]], colour: [200, 110, 20] };
-    pub(crate) const DOWN: Self = Self { corners: &[[0, 7], [7, -5], [-7, -5]], colour: [90, 170, 80] };
+        Self { corners: &[[0, -7], [7, 0], [0, 7], [-7, 0]], colour: [215, 120, 30] };
+    pub(crate) const DOWN: Self = Self { corners: &[[0, 7], [7, -5], [-7, -5]], colour: [120, 200, 100] };
     pub(crate) const STAR: Self = Self {
         corners: &[[0, -8], [3, -3], [8, 0], [3, 3], [0, 8], [-3, 3], [-8, 0], [-3, -3]],
         colour: [110, 110, 110],
