@@ -125,3 +125,22 @@ fn memory_of(memory: &Table, ways: [&str; 2]) -> Option<String> {
     });
     Some(format!("{:.0}", with? - without?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a and b change places, or x counts as y.
+    #[test]
+    fn a_line_is_found_again() {
+        let [a, b] = fit(&[7.0, 28.0, 110.0, 440.0, 1700.0].map(|x| [x, 900.0 + 6.5 * x]));
+        assert!((a - 900.0).abs() < 1e-6 && (b - 6.5).abs() < 1e-9, "{a} {b}");
+    }
+
+    // Red when points count by their size: the largest is off by 10 %, and would decide alone.
+    #[test]
+    fn each_point_counts_by_its_share() {
+        let [a, b] = fit(&[[1.0, 100.0], [2.0, 200.0], [1000.0, 110_000.0]]);
+        assert!((a + b - 100.0).abs() < 10.0, "{a} {b}");
+    }
+}

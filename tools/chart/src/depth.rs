@@ -251,3 +251,36 @@ pub(crate) fn resolution(mut done: impl FnMut()) -> Table {
     }
     table
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a float's last power has a leading one, or grows the wrong way.
+    #[test]
+    fn codes_fall_with_distance() {
+        let far = 1000.0;
+        for (name, format) in Format::ALL {
+            let code =
+                |w: f64| format.code(4.0 + 65_528.0 * (1.0 - far / (far - 1.0) * (1.0 - 1.0 / w)), far);
+            let codes: Vec<u32> = (0..3000).map(|k| code(far.powf(f64::from(k) / 2999.0))).collect();
+            assert!(codes.windows(2).all(|pair| pair[0] >= pair[1]), "{name}");
+            assert!(codes[0] > 60_000, "{name} {}", codes[0]);
+        }
+    }
+
+    // Red when the bound of a format is another's, or less than what it tells apart.
+    #[test]
+    fn pairs_beyond_the_resolution_have_two_codes() {
+        let far = 1000.0;
+        for (name, format) in Format::ALL {
+            let code =
+                |w: f64| format.code(4.0 + 65_528.0 * (1.0 - far / (far - 1.0) * (1.0 - 1.0 / w)), far);
+            for w in (0..600).map(|k| far.powf(f64::from(k) / 600.0)) {
+                let apart = format.resolution(w, far) * 1.0001;
+                let nearer = w * (1.0 - apart);
+                assert!(nearer < 1.0 || code(nearer) > code(w), "{name} at {w}");
+            }
+        }
+    }
+}

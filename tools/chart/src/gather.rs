@@ -7,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::cost::{self, Core};
 use crate::figures::Tables;
 use crate::host::{self, Timed};
-use crate::table::{Table, figure};
+use crate::table::{Table, figure, number};
 use crate::texels::{self, Texels};
 use crate::{depth, method};
 
@@ -72,14 +72,38 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
     let times = if keep_host { Vec::new() } else { host::all(|| bar.inc(1)) };
     bar.finish_and_clear();
     let setup_and_fill = cost::setup_and_fill(&inputs.cores);
+    let texels = texels_table(inputs, &errors, &times);
     Ok(Tables {
-        texels: texels_table(inputs, &errors, &times),
+        picks: picks(&texels),
+        texels,
         resolution,
         inversions,
         parts: cost::parts(&setup_and_fill, &inputs.cores, &inputs.memories),
         setup_and_fill,
         peers: inputs.peers.clone(),
     })
+}
+
+/// The cheapest method of each scene and core whose texels are no further off than so much.
+fn picks(texels: &Table) -> Table {
+    let mut table = Table::new(&["scene", "texels", "Cortex-M0+", "cycles", "Cortex-M4", "instructions"]);
+    for scene in texels::SCENES {
+        for (allowed, name) in [(1.0, "1"), (0.25, "1/4"), (0.0625, "1/16")] {
+            let mut row = vec![scene.to_owned(), name.to_owned()];
+            for column in ["m0_cycles_per_px", "m4_instructions_per_px"] {
+                let right = texels
+                    .find(&[("scene", scene)])
+                    .filter(|row| number(row, "texel_worst").is_some_and(|worst| worst <= allowed));
+                let costs = right.filter_map(|row| Some((number(&row, column)?, row)));
+                let cheapest = costs.min_by(|a, b| a.0.total_cmp(&b.0));
+                row.extend(cheapest.map_or(Default::default(), |(cost, row)| {
+                    [format!("{} {}", row["family"], row["setting"]).trim_end().to_owned(), figure(cost)]
+                }));
+            }
+            table.rows.push(row);
+        }
+    }
+    table
 }
 
 fn texels_table(inputs: &Inputs, errors: &[Texels], times: &[Timed]) -> Table {

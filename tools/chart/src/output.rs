@@ -28,6 +28,7 @@ pub(crate) enum File {
 pub(crate) fn files(root: &Path, tables: &Tables, _: &Inputs) -> Result<Vec<File>, String> {
     let named = [
         ("texels", &tables.texels),
+        ("picks", &tables.picks),
         ("depth-resolution", &tables.resolution),
         ("depth-inversions", &tables.inversions),
         ("setup-and-fill", &tables.setup_and_fill),

@@ -20,3 +20,19 @@ pub(crate) fn filled(page: &str, table: impl Fn(&str) -> Option<String>) -> Resu
     }
     Ok(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when what stood between the marks stays, or what stands around them goes.
+    #[test]
+    fn only_what_is_between_the_marks_changes() {
+        let page = "a\n<!-- table: t -->\n\nold\n<!-- end of table -->\nb";
+        let new = filled(page, |name| (name == "t").then(|| "new".into())).unwrap();
+        assert_eq!(new, "a\n<!-- table: t -->\n\nnew\n<!-- end of table -->\nb");
+        assert_eq!(filled(&new, |_| Some("new".into())).unwrap(), new);
+        assert!(filled(page, |_| None).unwrap_err().contains("no such table"));
+        assert!(filled("<!-- table: t -->", |_| Some(String::new())).unwrap_err().contains("no end mark"));
+    }
+}

@@ -116,3 +116,37 @@ pub(crate) fn figure(value: f64) -> String {
     }
     format!("{value:.*}", (3 - power).max(0) as usize)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a comma inside quotes cuts a cell, or a cell with one is written without them.
+    #[test]
+    fn cells_with_commas_come_back() {
+        let mut table = Table::new(&["a", "b"]);
+        table.rows.push(vec!["one, two".into(), "3".into()]);
+        let text = table.csv();
+        assert_eq!(text, "a,b\n\"one, two\",3\n");
+        assert_eq!(cells("\"one, two\",3"), ["one, two", "3"]);
+    }
+
+    // Red when columns are found by what is in them, or all are kept.
+    #[test]
+    fn columns_of_the_host_are_left_out() {
+        let mut table = Table::new(&["a", "host_b", "c"]);
+        table.rows.push(vec!["1".into(), "2".into(), "3".into()]);
+        let without = table.without("host_");
+        assert_eq!(
+            (without.header, without.rows),
+            (vec!["a".into(), "c".into()], vec![vec!["1".into(), "3".into()]])
+        );
+    }
+
+    // Red when digits after the point do not follow the power of ten.
+    #[test]
+    fn figures_have_four_digits() {
+        let figures = [233.456, 16.7149, 0.017_038_2, 0.000_001_234_56, 0.0, 57_600.4].map(figure);
+        assert_eq!(figures, ["233.5", "16.71", "0.01704", "1.235e-6", "0", "57600"]);
+    }
+}

@@ -151,3 +151,70 @@ fn between_steps(triangle: &Seen, length: i64) -> f64 {
     }
     worst
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use topleft::stages::{PerVertexInverse, Sampler};
+    use topleft::{Affine, Attribute, PerPixel};
+
+    /// Shows the next column's texel.
+    #[derive(Clone, Copy)]
+    struct OneBeside;
+
+    impl Correction for OneBeside {
+        type Varying = <PerPixel as Correction>::Varying;
+        type Triangle = <PerPixel as Correction>::Triangle;
+        const PERSPECTIVE: bool = true;
+
+        fn words(self) -> [u32; 2] {
+            [0; 2]
+        }
+
+        fn from_words(_: [u32; 2]) -> Self {
+            Self
+        }
+
+        fn triangle(
+            self,
+            texels: [[Attribute; 2]; 3],
+            inverses: [PerVertexInverse; 3],
+            sizes_log2: [u8; 2],
+        ) -> (Self::Triangle, [Self::Varying; 3]) {
+            PerPixel.triangle(texels, inverses, sizes_log2)
+        }
+
+        fn walk<T>(
+            self,
+            triangle: &Self::Triangle,
+            start: Self::Varying,
+            step: &Self::Varying,
+            run: &mut [T],
+            sampler: &mut impl Sampler<T>,
+        ) {
+            PerPixel
+                .walk(triangle, start, step, run, &mut |pixel: &mut T, u, v| sampler.show(pixel, u + 1, v));
+        }
+    }
+
+    fn of(scene: &str, bound: Bound, correction: impl Correction + 'static) -> Texels {
+        let method = Method { family: method::Family::PerPixel, setting: "", row: "", bound };
+        measure(by_name(scene).unwrap(), method, correction)
+    }
+
+    // Red when errors are taken for less than they are: u for v, another vertex's 1/w, rounded texels.
+    #[test]
+    fn a_wrong_texel_is_seen() {
+        let right = of("corridor", Bound::Pixel, PerPixel);
+        assert!(right.worst <= right.bound && right.bound < 0.1, "{right:?}");
+        let wrong = of("corridor", Bound::Pixel, OneBeside);
+        assert!(wrong.most > 0.9 && wrong.worst > wrong.bound, "{wrong:?}");
+    }
+
+    // Red when the reference interpolates without w as well.
+    #[test]
+    fn affine_is_as_far_off_as_its_closed_form_says() {
+        let affine = of("leaning-cube", Bound::Triangle, Affine);
+        assert!(affine.worst > 0.9 * affine.bound && affine.worst <= affine.bound, "{affine:?}");
+    }
+}

@@ -199,3 +199,26 @@ fn legend(canvas: &Canvas<'_>, points: &[Point]) {
     line(&|[x, y]| canvas.line(&[[x - 8, y], [x + 8, y]], FRONT, 5), "Pareto front");
     line(&|[x, y]| canvas.line(&[[x - 8, y], [x + 8, y]], [20; 3], 1), "from scene to scene");
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(cost: f64, error: f64) -> Point {
+        Point {
+            family: Family::Affine,
+            setting: String::new(),
+            cost: [cost; 3],
+            error: [error; 3],
+            bound: error,
+        }
+    }
+
+    // Red when the front keeps what another beats in both, or goes by the table's order.
+    #[test]
+    fn the_front_is_what_nothing_beats() {
+        let points = [point(3.0, 0.1), point(1.0, 9.0), point(2.0, 20.0), point(2.5, 1.0), point(4.0, 0.1)];
+        let costs: Vec<f64> = front(&points).iter().map(|point| point.cost[0]).collect();
+        assert_eq!(costs, [1.0, 2.5, 3.0]);
+    }
+}

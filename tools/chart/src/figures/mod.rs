@@ -12,6 +12,7 @@ use crate::table::Table;
 #[derive(Clone, Debug)]
 pub(crate) struct Tables {
     pub(crate) texels: Table,
+    pub(crate) picks: Table,
     pub(crate) resolution: Table,
     pub(crate) inversions: Table,
     pub(crate) setup_and_fill: Table,

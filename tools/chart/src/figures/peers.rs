@@ -27,8 +27,7 @@ pub(super) fn draw(table: &Table) -> String {
                         .iter()
                         .position(|&known| known == package)?;
                     let way = row["peer"].split(", ").nth(1).unwrap_or(package);
-                    let label = if package == "topleft" { row["peer"] } else { way };
-                    Some((number(row, "host_us")?, wrong, Shape::ALL[shape], label.to_owned()))
+                    Some((number(row, "host_us")?, wrong, Shape::ALL[shape], way.to_owned()))
                 })
                 .collect();
             points.iter().for_each(|(time, wrong, ..)| labels.keep_clear(panel.at(*time, *wrong)));

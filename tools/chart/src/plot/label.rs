@@ -70,3 +70,27 @@ impl Labels {
         within && self.taken.iter().all(apart)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::svg;
+    use super::*;
+
+    // Red when a label's place is not kept clear of the next.
+    #[test]
+    fn labels_at_one_place_keep_clear_of_each_other() {
+        let _ = svg([300, 300], |canvas| {
+            let mut labels = Labels::new([[0, 0], [300, 300]]);
+            labels.keep_clear([150, 150]);
+            for _ in 0..5 {
+                labels.write(canvas, "a label", [150, 150], [0; 3]);
+            }
+            assert_eq!(labels.taken.len(), 6);
+            for (k, [low, high]) in labels.taken.iter().enumerate() {
+                for other in &labels.taken[k + 1..] {
+                    assert!((0..2).any(|k| high[k] < other[0][k] || other[1][k] < low[k]));
+                }
+            }
+        });
+    }
+}
