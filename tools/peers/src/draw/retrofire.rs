@@ -45,7 +45,7 @@ impl Peer for TriFill {
         let Self { faces, pixels, depths } = self;
         timed(&mut || {
             for (corners, colour) in &*faces {
-                tri_fill(corners.clone(), |mut scanline| {
+                tri_fill(*corners, |mut scanline| {
                     let (row, columns) = (scanline.y * SIZE, scanline.xs.clone());
                     let cells = row + columns.start..row + columns.end;
                     let (pixels, depths) = (&mut pixels[cells.clone()], &mut depths[cells]);
