@@ -1,6 +1,8 @@
 //! How an object looks, and the ways to shade it: each a shader type of its own.
 
-use topleft::{Affine, Flat, Gouraud, Length, Material, PerPixel, Pixel, Sun, Texture, Textured};
+use topleft::{
+    Affine, Flat, Gouraud, Length, Material, PerPixel, Pixel, Subspans, Sun, Texture, Textured, Within,
+};
 
 /// What an object is made of.
 #[derive(Clone, Copy, Debug)]
@@ -51,18 +53,24 @@ impl Shade {
 pub enum Method {
     /// Without perspective.
     Affine,
+    /// The cheapest way that is within a quarter of a texel.
+    Within,
+    /// With a reciprocal every 16 pixels.
+    Subspans,
     /// With a reciprocal a pixel.
     PerPixel,
 }
 
 impl Method {
     /// All methods, in the order of what they cost.
-    pub const ALL: [Self; 2] = [Self::Affine, Self::PerPixel];
+    pub const ALL: [Self; 4] = [Self::Affine, Self::Within, Self::Subspans, Self::PerPixel];
 
     /// The name on a command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Affine => "affine",
+            Self::Within => "within",
+            Self::Subspans => "subspans",
             Self::PerPixel => "per-pixel",
         }
     }
@@ -93,8 +101,16 @@ impl Look {
             (Shade::Flat, _) => with.with(&Flat::new(self.material).lit_by(&sun())),
             (Shade::Gouraud, _) => with.with(&Gouraud::new(&sun(), &self.material)),
             (Shade::Textured, Method::Affine) => with.with(&Textured::new(&texture, Affine)),
+            (Shade::Textured, Method::Within) => with.with(&Textured::new(&texture, Within::default())),
+            (Shade::Textured, Method::Subspans) => with.with(&Textured::new(&texture, Subspans::Of16)),
             (Shade::Textured, Method::PerPixel) => with.with(&Textured::new(&texture, PerPixel)),
             (Shade::Lit, Method::Affine) => with.with(&Textured::new(&texture, Affine).lit_by(&sun())),
+            (Shade::Lit, Method::Within) => {
+                with.with(&Textured::new(&texture, Within::default()).lit_by(&sun()))
+            }
+            (Shade::Lit, Method::Subspans) => {
+                with.with(&Textured::new(&texture, Subspans::Of16).lit_by(&sun()))
+            }
             (Shade::Lit, Method::PerPixel) => with.with(&Textured::new(&texture, PerPixel).lit_by(&sun())),
         }
     }

@@ -14,6 +14,7 @@ use crate::varying::Varying;
 mod flat;
 mod gouraud;
 mod light;
+mod over_w;
 mod perspective;
 mod sampler;
 mod textured;

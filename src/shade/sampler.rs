@@ -1,5 +1,6 @@
 //! Shows texels in pixels: from a texture that repeats or ends, as they are or under light.
 
+use super::over_w::{OverW, TexelBox};
 use crate::math::format::Attribute;
 use crate::math::recip;
 use crate::pixel::Pixel;
@@ -28,7 +29,7 @@ pub trait Sampler<T> {
     /// Shows texels over w, divided by `reciprocal` of 1/w.
     #[doc(hidden)]
     #[inline(never)]
-    fn octave(&mut self, run: &mut [T], octave: &Octave, reciprocal: &impl Fn(u32) -> u32) {
+    fn octave(&mut self, run: &mut [T], octave: &Octave<'_>, reciprocal: &impl Fn(u32) -> u32) {
         octave.divided(run, reciprocal, |pixel, column, row| self.show(pixel, column, row));
     }
 }
@@ -40,17 +41,17 @@ impl<T, F: FnMut(&mut T, i32, i32)> Sampler<T> for F {
     }
 }
 
-/// Pixels whose 1/w has the same leading zeros: 1/w as it is normalised to 32 bits, u/w and v/w to 31, as parts of a box.
+/// Pixels whose 1/w has the same leading zeros.
 #[derive(Clone, Copy, Debug)]
-pub struct Octave {
-    pub(super) start: [u32; 3],
-    pub(super) step: [u32; 3],
-    /// The box's whole texels, and how many of 31 bits are below one.
-    pub(super) least: [i32; 2],
-    pub(super) down: u32,
+pub struct Octave<'o> {
+    pub(super) texel_box: &'o TexelBox,
+    pub(super) start: &'o OverW,
+    pub(super) step: &'o OverW,
+    /// The leading zeros.
+    pub(super) shift: u32,
 }
 
-impl Octave {
+impl Octave<'_> {
     /// Divides from pixel to pixel.
     #[inline(always)]
     fn divided<T>(
@@ -59,8 +60,8 @@ impl Octave {
         reciprocal: impl Fn(u32) -> u32,
         mut show: impl FnMut(&mut T, i32, i32),
     ) {
-        let Self { start: [mut q, mut u, mut v], step: [dq, du, dv], least: [least_u, least_v], down } =
-            *self;
+        let ([mut q, mut u, mut v], [dq, du, dv]) = (self.start.up(self.shift), self.step.up(self.shift));
+        let ([least_u, least_v], down) = (self.texel_box.least, 31 - self.texel_box.span_log2);
         for pixel in run {
             // As below.
             core::hint::black_box(());
@@ -145,7 +146,7 @@ impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
     }
 
     #[inline(never)]
-    fn octave(&mut self, run: &mut [P], octave: &Octave, reciprocal: &impl Fn(u32) -> u32) {
+    fn octave(&mut self, run: &mut [P], octave: &Octave<'_>, reciprocal: &impl Fn(u32) -> u32) {
         let Self { texture, paint } = self;
         match texture.wrap() {
             Wrap::Repeat => {

@@ -30,6 +30,8 @@ mod frames;
 mod interpolation;
 #[path = "../against_reference/light.rs"]
 mod light;
+#[path = "../against_reference/methods.rs"]
+mod methods;
 #[path = "../against_reference/numbers.rs"]
 mod numbers;
 #[path = "../against_reference/texels.rs"]
@@ -94,6 +96,15 @@ fn parts() -> Vec<Part> {
         let on_planes = texels::KINDS.map(texels::affine_of);
         let shortcut = texels::RATIOS.map(texels::affine_for_perspective);
         on_planes.into_iter().chain(shortcut).collect()
+    }));
+    parts.extend(
+        methods::KINDS.map(|kind| {
+            part(format!("texels: subspans, {}", kind.name()), move || methods::subspans_of(kind))
+        }),
+    );
+    parts.push(part("texels: divided", || methods::KINDS.map(methods::divided_of).to_vec()));
+    parts.extend(methods::ALLOWED.map(|allowed| {
+        part(format!("texels: within {}", allowed.1), move || vec![methods::within_error(allowed)])
     }));
     parts.push(part("texels: whole path", || vec![texels::whole_path()]));
     parts.push(part("light", || [light::on_vertices(), light::on_faces()].concat()));

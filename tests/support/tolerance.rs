@@ -29,9 +29,10 @@ pub(crate) const REACHED: f64 = 0.5;
 
 /// Of a reciprocal r of x, from 1 to 2: the chord lies up to 2^-14 above, and the table is rounded by half a step of 2^-16
 /// of r, 2^-16 at most. Below, that half step and a whole one of interpolation, 3 x 2^-17; and u / w loses up to a step of
-/// its 17 bits times r, 2^-15 / x: together no more than 2^-14. Divided, a step of 2^-16 of r and the same of u / w, below,
-/// and 2^-16 above, as x has 17 bits.
-pub(crate) const RECIPROCAL: f64 = half(14) + half(15);
+/// its 17 bits times r, 2^-15 / x: together no more than 2^-14.
+pub(crate) const RECIPROCAL: f64 = half(14) + half(16);
+/// The same by division: 2^-16 above, as x has 17 bits; below a step of 2^-16 of r, and what u / w loses as before.
+pub(crate) const DIVIDED: f64 = 3.0 * half(16);
 /// 1/w of a vertex: a mantissa of 26 bits, rounded down, of a reciprocal that is right to 2^-27.9.
 pub(crate) const VERTEX_INVERSE: f64 = half(25) + half(27);
 /// u/w at a vertex: its part of the box and the product are each rounded down to 2^-31; and 1/w once more.
@@ -130,7 +131,7 @@ pub(crate) const CAMERA: f64 = half(21);
 
 /// Where the bounds of `docs/measured/accuracy.csv` come from, by its columns `stage` and `metric`. What the names in
 /// them are is derived above.
-pub(crate) const DERIVED: [(&str, &str, &str); 19] = [
+pub(crate) const DERIVED: [(&str, &str, &str); 21] = [
     ("coverage", "mismatches", "exact: the reference counts in 128-bit integers"),
     ("interpolation", "value", "`interpolation`, with the fraction bits of the format"),
     ("vertices", "place", "half a step, and `PERSPECTIVE_DIVIDE`; in a scene `vertex_on_screen` of `clip`"),
@@ -142,8 +143,10 @@ pub(crate) const DERIVED: [(&str, &str, &str); 19] = [
     ),
     ("depth", "beyond its code", "`interpolation` with 16 bits, and `DEPTH_VERTEX`"),
     ("texels", "of 256", "256 times `per_pixel`"),
-    ("texels", "of 32768", "32768 times `per_pixel`"),
+    ("texels", "of 32768", "32768 times `per_pixel`; divided, with `DIVIDED` for `RECIPROCAL`"),
     ("texels", "of 256 on the plane", "`interpolation` with 16 bits"),
+    ("texels", "of 255 by subspans", "`subspan` between its two exact ends, which are off by `per_pixel`"),
+    ("texels", "as allowed", "`within`: what is allowed, and what interpolating linear texels adds"),
     ("texels", "of 254", "`affine` of 254 texels, and `interpolation` with 16 bits"),
     ("light", "lit colour", "`LIT`; of a plane's normal `PLANE_NORMAL` more"),
     ("light", "light", "`LIGHT_STEPS`"),

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
 
-use super::over_w::{OverW, TexelBox};
+use super::super::over_w::{OverW, TexelBox};
 use super::per_pixel::reciprocals;
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
@@ -44,7 +44,7 @@ impl Divide for Portable {
 
 /// A reciprocal a pixel, by one division of 32 bits by 17. The same on every chip.
 ///
-/// As [`PerPixel`](super::PerPixel), with a reciprocal that is off by -2^-15 to 2^-16: a texel by at most `U 2^-14`, and by
+/// As [`PerPixel`](super::PerPixel), with a reciprocal that is off by -2^-15 to 2^-16: a texel by at most `U (2^-15 + 2^-16)`, and by
 /// what interpolating 1/w adds.
 #[derive(Clone, Copy, Debug)]
 pub struct Divided<D = Portable>(PhantomData<D>);

@@ -11,7 +11,6 @@ use crate::varying::Varying;
 
 mod affine;
 mod divided;
-mod over_w;
 mod per_pixel;
 mod subspans;
 mod within;

@@ -1,7 +1,7 @@
 //! A reciprocal a pixel, and the loop that takes it.
 
+use super::super::over_w::{OverW, TexelBox};
 use super::super::sampler::Octave;
-use super::over_w::{OverW, TexelBox};
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
 use crate::math::recip;
@@ -10,7 +10,7 @@ use crate::varying::Varying;
 
 /// A reciprocal a pixel, by table and interpolation. The same on every chip.
 ///
-/// With U the power of two of texels that holds the triangle's span, a texel is off by at most `U (2^-14 + 2^-15)`, and
+/// With U the power of two of texels that holds the triangle's span, a texel is off by at most `U (2^-14 + 2^-16)`, and
 /// by what interpolating 1/w adds: below `U 2^-15` up to a ratio of w of 64 within 500 pixels of the triangle's first
 /// vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -76,12 +76,7 @@ pub(super) fn reciprocals<T>(
         // Alone, a pixel may lie outside of its range.
         let from = if pixels == 1 { at.clamped() } else { at };
         shift = recip::normalising(from.q.cast_unsigned(), shift);
-        let octave = Octave {
-            start: from.up(shift),
-            step: step.up(shift),
-            least: texel_box.least,
-            down: 31 - texel_box.span_log2,
-        };
+        let octave = Octave { texel_box, start: &from, step, shift };
         sampler.octave(now, &octave, &reciprocal);
         if later.is_empty() {
             return;

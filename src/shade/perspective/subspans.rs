@@ -1,6 +1,6 @@
 //! Texels that are exact every few pixels, and linear between.
 
-use super::over_w::{Exact, OverW, TexelBox};
+use super::super::over_w::{Exact, OverW, TexelBox};
 use super::{Correction, Sampler};
 use crate::math::format::Attribute;
 use crate::transform::PerVertexInverse;
@@ -9,7 +9,9 @@ use crate::varying::Varying;
 /// A reciprocal every few pixels, and linear steps between.
 ///
 /// A run, which is the visible part of a span, is cut into subspans of this many pixels from its first pixel on. The last
-/// ends on the run's last pixel: none reaches beyond the triangle. Both ends of a subspan are as exact as
+/// ends on the run's last pixel: none reaches beyond the triangle. So the bytes are the same in strips of any height, by any
+/// traversal and in any order of vertices; what hides a part of the span, and a strip narrower than the camera's target,
+/// ends runs elsewhere and moves texels within the error below. Both ends of a subspan are as exact as
 /// [`PerPixel`](super::PerPixel), the pixels between off by up to `d (sqrt(r) - 1) / (sqrt(r) + 1)` texels more, with d the
 /// texels from end to end and r the ratio of w there: about `N^2 / 4 |u'| |q'| / q` for N pixels, u texels and q = 1/w. A
 /// subspan that runs over 2^15 texels or more shows any.

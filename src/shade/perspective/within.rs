@@ -1,6 +1,6 @@
 //! The cheapest method that keeps an error.
 
-use super::over_w::{Exact, OverW, TexelBox, aligned};
+use super::super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
 use super::subspans::{differences, subspans};
 use super::{Correction, Sampler};
@@ -65,7 +65,7 @@ impl Default for Within {
 
 /// How a triangle is drawn.
 #[derive(Clone, Copy, Debug)]
-pub enum Way {
+pub(super) enum Way {
     /// Its texels are linear.
     Affine,
     /// By subspans whose middle is off by at most so many texels, in 16 fraction bits.
@@ -262,10 +262,10 @@ fn length(texel_box: &TexelBox, between: u32, steps: u32, first: &Exact, last: &
         return None;
     }
     // The ratio of w less 1, at most 1: the reciprocal is at most 2^-16 too low. In 16 fraction bits, rounded up.
-    let over = ((difference << (lesser.shift - 1) >> 15) * lesser.reciprocal >> 15) + 3;
-    let bend = over + ((over >> 1) * (over >> 1) >> 14) + 4;
+    let over = (((difference << (lesser.shift - 1) >> 15) * lesser.reciprocal) >> 15) + 3;
+    let bend = over + (((over >> 1) * (over >> 1)) >> 14) + 4;
     // Four times the whole run's error, in 12 fraction bits.
-    let error = (texels * ((bend >> 2) + 1) >> 8) + 1;
+    let error = ((texels * ((bend >> 2) + 1)) >> 8) + 1;
     let allowed = between.min((1 << 18) - 1) >> 2;
     if error <= allowed {
         return Some(5);
