@@ -108,7 +108,7 @@ pub(crate) fn parts(setup_and_fill: &Table, cores: &[Core], memories: &[(&str, O
             row.push(added(name, "per_triangle").map_or(String::new(), |a| format!("{a:.0}")));
         }
         row.extend(memories.iter().map(|(_, memory)| {
-            memory.as_ref().and_then(|memory| memory_of(memory, [with, without])).unwrap_or_default()
+            memory.as_ref().and_then(|memory| memory_of(memory, part, [with, without])).unwrap_or_default()
         }));
         if row[1..].iter().any(|cell| !cell.is_empty()) {
             table.rows.push(row);
@@ -117,13 +117,13 @@ pub(crate) fn parts(setup_and_fill: &Table, cores: &[Core], memories: &[(&str, O
     table
 }
 
-/// The difference of two ways to draw in a table of bytes by `method`.
-fn memory_of(memory: &Table, ways: [&str; 2]) -> Option<String> {
-    let [with, without] = ways.map(|way| {
-        let row = memory.find(&[("method", way)]).next()?;
-        number(&row, "bytes")
-    });
-    Some(format!("{:.0}", with? - without?))
+/// The bytes of a part in a table of bytes: as they stand there by the part's name, or the difference of two ways to draw.
+fn memory_of(memory: &Table, part: &str, ways: [&str; 2]) -> Option<String> {
+    let bytes = memory.header.iter().find(|column| column.ends_with("bytes"))?;
+    let first = memory.header.first()?;
+    let of = |name: &str| memory.find(&[(first, name)]).next().and_then(|row| number(&row, bytes));
+    let [with, without] = ways.map(of);
+    of(part).or_else(|| Some(with? - without?)).map(|bytes| format!("{bytes:.0}"))
 }
 
 #[cfg(test)]
@@ -135,6 +135,18 @@ mod tests {
     fn a_line_is_found_again() {
         let [a, b] = fit(&[7.0, 28.0, 110.0, 440.0, 1700.0].map(|x| [x, 900.0 + 6.5 * x]));
         assert!((a - 900.0).abs() < 1e-6 && (b - 6.5).abs() < 1e-9, "{a} {b}");
+    }
+
+    // Red when a part's own row is not looked for, or ways are subtracted the other way round.
+    #[test]
+    fn memory_is_found_by_part_or_by_ways() {
+        let mut memory = Table::new(&["what", "opt_level", "flash_bytes"]);
+        for (what, bytes) in [("depth", "640"), ("affine", "3000"), ("flat", "1800")] {
+            memory.rows.push([what, "s", bytes].map(str::to_owned).into());
+        }
+        assert_eq!(memory_of(&memory, "depth", ["flat+depth", "flat"]).as_deref(), Some("640"));
+        assert_eq!(memory_of(&memory, "texture", ["affine", "flat"]).as_deref(), Some("1200"));
+        assert_eq!(memory_of(&memory, "light", ["lit", "affine"]), None);
     }
 
     // Red when points count by their size: the largest is off by 10 %, and would decide alone.

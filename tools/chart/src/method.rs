@@ -37,8 +37,10 @@ pub(crate) enum Bound {
     Every(i64),
     /// What the caller asks for.
     Asked(f64),
-    /// A reciprocal or a quotient a pixel.
+    /// A reciprocal a pixel, by table.
     Pixel,
+    /// The same by division.
+    Quotient,
 }
 
 /// A method at one setting.
@@ -79,7 +81,7 @@ pub(crate) fn for_each(each: &mut impl EachMethod) {
         each.method(method(Family::Within, setting, row, Bound::Asked(error)), within);
     }
     each.method(method(Family::PerPixel, "", "perspective-pixel+depth", Bound::Pixel), PerPixel);
-    let divided = method(Family::Divided, "", "perspective-divided+depth", Bound::Pixel);
+    let divided = method(Family::Divided, "", "perspective-divided+depth", Bound::Quotient);
     each.method(divided, Divided::<Portable>::new());
 }
 

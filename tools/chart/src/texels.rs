@@ -8,7 +8,7 @@ use topleft::stages::Correction;
 
 use crate::method::{self, Bound, EachMethod, Method};
 use crate::spy::{self, Cell, Seen};
-use crate::tolerance::{affine, interpolation, per_pixel, subspan, within};
+use crate::tolerance::{DIVIDED, RECIPROCAL, affine, interpolation, per_pixel, subspan, within};
 
 /// The scenes whose textures decide: few large faces, and many small ones.
 pub(crate) const SCENES: [&str; 4] = ["leaning-cube", "globe", "horizon", "corridor"];
@@ -112,6 +112,7 @@ fn bound_at(bound: Bound, triangle: &Seen, values: [f64; 3], at: [i64; 2]) -> f6
         // Each row has its own, for both ends.
         Bound::Every(_) => 0.0,
         Bound::Pixel => texel_box(triangle) * ends(triangle, at),
+        Bound::Quotient => texel_box(triangle) * (ends(triangle, at) - RECIPROCAL + DIVIDED),
     }
 }
 
