@@ -149,10 +149,11 @@ mod tests {
         assert_eq!(memory_of(&memory, "light", ["lit", "affine"]), None);
     }
 
-    // Red when points count by their size: the largest is off by 10 %, and would decide alone.
+    // Red when points count by their size: two large ones that are off by 5 % would decide alone.
     #[test]
     fn each_point_counts_by_its_share() {
-        let [a, b] = fit(&[[1.0, 100.0], [2.0, 200.0], [1000.0, 110_000.0]]);
-        assert!((a + b - 100.0).abs() < 10.0, "{a} {b}");
+        let points = [[1.0, 1010.0], [10.0, 1100.0], [1000.0, 11_550.0], [2000.0, 19_950.0]];
+        let [a, b] = fit(&points);
+        assert!((a + b - 1010.0).abs() < 100.0, "{a} {b}");
     }
 }
