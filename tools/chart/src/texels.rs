@@ -58,10 +58,10 @@ fn measure(scene: &'static Scene, method: Method, correction: impl Correction + 
     for (index, &Cell { triangle, texel }) in cells.iter().enumerate() {
         let Some(triangle) = (triangle as usize).checked_sub(1).map(|number| &seen[number]) else { continue };
         let (x, y) = ((index % width) as i64, (index / width) as i64);
-        for axis in 0..2 {
+        for (axis, shown) in texel.into_iter().enumerate() {
             let values = triangle.texels.map(|texel| texel[axis]);
             let exact = perspective(triangle.points, values, triangle.q, x, y);
-            errors.push(outside(texel[axis], exact));
+            errors.push(outside(shown, exact));
             bound = bound.max(bound_at(method.bound, triangle, values, [x, y]));
         }
     }
