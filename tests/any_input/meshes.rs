@@ -7,9 +7,9 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use proptest::prelude::*;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, BoxWalk, Camera, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle,
-    Material, Matrix, MatrixCamera, Mesh, NoDepth, Orthographic, PerPixel, Perspective, Pose, Spans, Stats,
-    Strip, Sun, Textured, Turn, Wrap,
+    Affine, Attribute, BoxWalk, Camera, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length,
+    ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth, Orthographic, PerPixel, Perspective, Pose,
+    Spans, Stats, Strip, Subspans, Sun, Textured, Turn, Within, Wrap,
 };
 
 use crate::support::check;
@@ -100,13 +100,21 @@ impl Case {
         let mesh = if seed.is_multiple_of(2) { mesh.with_normals(&normals).unwrap() } else { mesh };
         let sun = Sun::new(self.at.map(Length::from_bits));
         let [words, triangles] = self.storage;
-        let mut stores = vec![(vec![0; words], vec![ListTriangle::EMPTY; triangles]); 15];
+        let mut stores = vec![(vec![0; words], vec![ListTriangle::EMPTY; triangles]); 24];
         let texture = texture();
         let stores = &mut stores.iter_mut();
         self.with(stores, camera, &mesh, &Flat::new(Material::OfMesh).lit_by(&sun))?;
         self.with(stores, camera, &mesh, &Gouraud::new(&sun, &Material::OfMesh))?;
         self.with(stores, camera, &mesh, &Textured::new(&texture, Affine))?;
         self.with(stores, camera, &mesh, &Textured::new(&texture, PerPixel))?;
+        self.with(stores, camera, &mesh, &Textured::new(&texture, Subspans::Of8))?;
+        self.with(stores, camera, &mesh, &Textured::new(&texture, Within::default()))?;
+        self.with(
+            stores,
+            camera,
+            &mesh,
+            &Textured::new(&texture, Within::texels(Attribute::from_bits(300_000))),
+        )?;
         self.with(
             stores,
             camera,

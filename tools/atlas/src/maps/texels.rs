@@ -82,7 +82,7 @@ fn of_library<C: Correction + Default>(case: &Case) -> f64 {
     worst
 }
 
-/// Exact at every `N`th pixel and at the last one, linear between: a model in `f64` of what the library has not yet.
+/// Exact at every `N`th pixel and at the last one, linear between: a model in `f64`.
 fn subspans<const N: i32>(case: &Case) -> f64 {
     let Span { start, end, .. } = case.span();
     let mut worst = 0.0_f64;
