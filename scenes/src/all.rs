@@ -127,7 +127,12 @@ pub const SCENES: &[Scene] = &[
         about: "360 needles, each thinner than a pixel",
         camera: orbit(["0", "0", "0"], "2.6", 25, (1.0, 5.0)),
         background: NIGHT,
-        objects: &[Object { lean: [Turn::ZERO, Turn::ZERO, ROLL], ..still(&STAR, of_mesh(TEST_CARD)) }],
+        objects: &[Object {
+            lean: [Turn::ZERO, Turn::ZERO, ROLL],
+            // A sheet has two sides.
+            cull: Cull::None,
+            ..still(&STAR, of_mesh(TEST_CARD))
+        }],
     },
     Scene {
         name: "ladder",
@@ -191,6 +196,7 @@ const fn of_mesh(texture: Texture<'static>) -> Look {
 const fn rungs(distance: &str, right: i32) -> Object {
     Object {
         scale: Length::lit(distance),
+        cull: Cull::None,
         lean: [Turn::ZERO, Turn::new((-501 * right).rem_euclid(65_536) as u16), Turn::ZERO],
         ..still(&LADDER, of_mesh(TEST_CARD))
     }
