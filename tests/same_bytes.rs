@@ -269,7 +269,8 @@ fn any_strips_and_traversal_give_the_same_bytes_of_every_scene() {
     for (name, drawing) in all_scenes(Size::new(60, 48)) {
         let (frame, compared) = any_strips(&name, &drawing).unwrap();
         frames += compared;
-        assert!(frame.seen() > 100, "{name} shows {} pixels", frame.seen());
+        // The least is the ladder from behind.
+        assert!(frame.seen() > 50, "{name} shows {} pixels", frame.seen());
     }
     println!("{frames} frames");
 }

@@ -68,6 +68,7 @@ pub(crate) fn mesh(path: &Path, texture: Option<Texture<'static>>) -> Result<Sce
         at: place(Length::ZERO),
         scale: Length::ONE,
         spin: Spin::Upright,
+        lean: [Turn::ZERO; 3],
         look,
         // Files are not always closed: both sides are shown.
         cull: Cull::None,
@@ -76,6 +77,7 @@ pub(crate) fn mesh(path: &Path, texture: Option<Texture<'static>>) -> Result<Sce
         mesh: &FLOOR,
         at: place(bottom),
         spin: Spin::Still,
+        lean: [Turn::ZERO; 3],
         look: floor,
         cull: Cull::Back,
         ..object

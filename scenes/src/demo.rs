@@ -39,5 +39,13 @@ pub(crate) const DEMO: Scene = Scene {
 /// In the mesh's own colours, or under waves: the sea's triangles are small enough for them without perspective.
 const fn part(mesh: &'static Mesh<'static>, shade: Shade, spin: Spin) -> Object {
     let look = Look { material: Material::OfMesh, texture: WAVES, shade, method: Method::Affine };
-    Object { mesh, at: [Length::ZERO; 3], scale: Length::ONE, spin, look, cull: Cull::Back }
+    Object {
+        mesh,
+        at: [Length::ZERO; 3],
+        scale: Length::ONE,
+        spin,
+        lean: [Turn::ZERO; 3],
+        look,
+        cull: Cull::Back,
+    }
 }

@@ -1,8 +1,10 @@
 //! A scene: where the camera stands, and what it sees.
 
 use embedded_graphics_core::geometry::Size;
-use topleft::stages::{Shader, Traversal};
-use topleft::{Cull, Depth, DrawError, DrawList, Length, Mesh, Orthographic, Perspective, Pixel, Pose, Turn};
+use topleft::stages::{Correction, Shader, Traversal};
+use topleft::{
+    Cull, Depth, DrawError, DrawList, Length, Mesh, Orthographic, Perspective, Pixel, Pose, Textured, Turn,
+};
 
 use crate::shade::{Look, Method, Shade, WithShader};
 
@@ -55,6 +57,8 @@ pub struct Object {
     pub scale: Length,
     /// How it turns in the course of an animation.
     pub spin: Spin,
+    /// How it leans once it has turned: about the x, the y and the z axis, in this order.
+    pub lean: [Turn; 3],
     /// What it is made of.
     pub look: Look,
     /// Which of its faces are left out.
@@ -137,6 +141,44 @@ impl Scene {
         }
     }
 
+    /// The same with each object's texture as it is, its texels found by `correction`.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw), but the first only.
+    pub fn draw_textured<P: Pixel, D: Depth, T: Traversal>(
+        &self,
+        list: &mut DrawList<'_, P, D, T>,
+        size: Size,
+        view: &View,
+        correction: impl Correction,
+    ) -> Result<(), DrawError> {
+        self.draw_with(list, size, view, |object| Textured::new(&object.look.texture, correction))
+    }
+
+    /// The same with a shader for each object.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw), but the first only.
+    pub fn draw_with<'a, P: Copy, D: Depth, T: Traversal, S: Shader<'a, P>>(
+        &self,
+        list: &mut DrawList<'a, P, D, T>,
+        size: Size,
+        view: &View,
+        shader: impl Fn(&Object) -> S,
+    ) -> Result<(), DrawError> {
+        for object in self.objects {
+            list.set_cull(object.cull);
+            let (pose, shader) = (object.pose(view.turn), shader(object));
+            if let Some(camera) = self.camera.orbiting(size, view) {
+                list.draw(&camera, object.mesh, &pose, &shader)?;
+            }
+            if let Some(camera) = self.camera.front(size) {
+                list.draw(&camera, object.mesh, &pose, &shader)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Faces of all objects.
     pub fn faces(&self) -> usize {
         self.objects.iter().map(|object| object.mesh.faces().len()).sum()
@@ -157,7 +199,8 @@ impl Object {
             Spin::Twice => Pose::new().turned_y(turn + turn),
             Spin::Tumbling => Pose::new().turned_x(Turn::from_degrees(35)).turned_y(turn),
         };
-        pose.scaled(self.scale).at(self.at)
+        let [x, y, z] = self.lean;
+        pose.turned_x(x).turned_y(y).turned_z(z).scaled(self.scale).at(self.at)
     }
 }
 

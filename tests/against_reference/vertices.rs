@@ -81,7 +81,8 @@ pub(crate) fn of_scene(scene: &Scene) -> Vec<Row> {
             }
         }
     }
-    assert!(places.count() > 200, "{}", scene.name);
+    // A scene of two faces has few vertices in sight.
+    assert!(places.count() > 20, "{}", scene.name);
     [("place", "1/256 px", places), ("depth", "code", depths), ("1/w", "1", inverses)]
         .map(|(metric, unit, errors)| {
             Row::new("vertices", scene.name, "as the scene draws them", [metric, unit], &errors)

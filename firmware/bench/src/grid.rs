@@ -25,7 +25,7 @@ pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
 
 const SCENE: &str = "grid240";
 
-const fn matrix(rows: [[i32; 4]; 4]) -> Matrix {
+pub(crate) const fn matrix(rows: [[i32; 4]; 4]) -> Matrix {
     let mut elements = [[Length::ZERO; 4]; 4];
     let mut i = 0;
     while i < 16 {
@@ -68,7 +68,9 @@ macro_rules! cases {
         impl Case for $case {
             type Depth = $depth;
 
-            const METHOD: &'static str = $method;
+            fn method(&self) -> &'static str {
+                $method
+            }
 
             fn scene(&self) -> &'static str {
                 SCENE

@@ -8,6 +8,8 @@ mod grid;
 mod measure;
 mod row;
 mod scene;
+mod sizes;
+mod texels;
 mod traversal;
 
 pub use measure::{Clock, PANEL, Part};
@@ -42,7 +44,7 @@ pub fn run(clock: &mut dyn Clock, report: &mut dyn FnMut(&Row)) {
     strips(&mut bench);
 }
 
-/// The grid into a whole frame with depth: 225 KB of the stack, and 15 KB for the list.
+/// The grid, and triangles of five sizes, into a whole frame with depth: 225 KB of the stack, and 15 KB for the list.
 #[inline(never)]
 fn whole_frame(bench: &mut Bench<'_>) {
     let (mut colours, mut depths) = ([0; WIDTH * HEIGHT], [0; WIDTH * HEIGHT]);
@@ -50,6 +52,7 @@ fn whole_frame(bench: &mut Bench<'_>) {
     let mut buffers =
         Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
     grid::all(bench, &mut buffers);
+    sizes::all(bench, &mut buffers);
 }
 
 /// The scenes in halves of the panel, as an RP2040 has no room for a whole frame beside their lists: 113 KB of the stack,
@@ -72,4 +75,5 @@ fn strips(bench: &mut Bench<'_>) {
         Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
     grid::all(bench, &mut buffers);
     scene::all(bench, &mut buffers);
+    texels::all(bench, &mut buffers);
 }

@@ -41,7 +41,7 @@ pub enum Part {
 pub(crate) trait Case {
     type Depth: Buffered;
 
-    const METHOD: &'static str;
+    fn method(&self) -> &'static str;
 
     fn scene(&self) -> &'static str;
 
@@ -134,7 +134,7 @@ impl<'c> Bench<'c> {
         }
         (self.report)(&Row {
             scene: case.scene(),
-            method: C::METHOD,
+            method: case.method(),
             strip_rows: rows as usize,
             triangles: list.stats().drawn,
             pixels,

@@ -16,7 +16,9 @@ pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
 impl Case for Scene {
     type Depth = Depth16;
 
-    const METHOD: &'static str = "as-it-is+depth";
+    fn method(&self) -> &'static str {
+        "as-it-is+depth"
+    }
 
     fn scene(&self) -> &'static str {
         self.name

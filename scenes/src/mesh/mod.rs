@@ -1,9 +1,13 @@
 //! The meshes of the scenes, made by `meshpack make`.
 
+mod corridor;
 mod cube;
+mod dial;
 mod floor;
+mod globe;
 mod grid240;
 mod grid240_tilted;
+mod ground;
 mod icosphere;
 mod icosphere_fine;
 mod island_boats;
@@ -11,13 +15,19 @@ mod island_land;
 mod island_lighthouse;
 mod island_props;
 mod island_sea;
+mod ladder;
+mod star;
 mod teapot;
 mod torus_knot;
 
+pub use corridor::CORRIDOR;
 pub use cube::CUBE;
+pub use dial::DIAL;
 pub use floor::FLOOR;
+pub use globe::GLOBE;
 pub use grid240::GRID240;
 pub use grid240_tilted::GRID240_TILTED;
+pub use ground::GROUND;
 pub use icosphere::ICOSPHERE;
 pub use icosphere_fine::ICOSPHERE_FINE;
 pub use island_boats::ISLAND_BOATS;
@@ -25,5 +35,7 @@ pub use island_land::ISLAND_LAND;
 pub use island_lighthouse::ISLAND_LIGHTHOUSE;
 pub use island_props::ISLAND_PROPS;
 pub use island_sea::ISLAND_SEA;
+pub use ladder::LADDER;
+pub use star::STAR;
 pub use teapot::TEAPOT;
 pub use torus_knot::TORUS_KNOT;

@@ -1,10 +1,15 @@
 //! The repository's own meshes and textures, made from formulas and from published numbers.
 
+mod corridor;
 mod cube;
+mod dial;
 mod floor;
+mod globe;
 mod grid;
 mod icosphere;
 mod island;
+mod ladder;
+mod star;
 mod surface;
 mod teapot;
 mod texture;
@@ -32,16 +37,34 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
     let mesh = |module, name, doc, packed| Made { module, name, doc, packed };
     vec![
         mesh(
+            "corridor",
+            "CORRIDOR",
+            "Four walls 2 units apart along the z axis from 0.5 to -11.5, seen from inside, and the one at the end.",
+            corridor::make(),
+        ),
+        mesh(
             "cube",
             "CUBE",
             "A cube from -1 to 1: a colour and a texture's whole image on each side.",
             cube::make(),
         ),
         mesh(
+            "dial",
+            "DIAL",
+            "A gauge of 224 pixels: a disc, ticks and a needle, a quarter of a unit above each other.",
+            dial::make(),
+        ),
+        mesh(
             "floor",
             "FLOOR",
             "A level square from -2 to 2 at y = 0, 8 x 8 tiles, four repeats of a texture each way.",
             floor::make(),
+        ),
+        mesh(
+            "globe",
+            "GLOBE",
+            "A sphere of radius 1 in 25 rings of 24 slices, four repeats of a texture round it.",
+            globe::make(),
         ),
         mesh(
             "grid240",
@@ -56,6 +79,12 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             "The triangles of `GRID240` on a plane that recedes, for a camera at the origin that sees 90 degrees: w is 1 \
              at the bottom of the screen and 4 at the top.",
             grid::tilted(),
+        ),
+        mesh(
+            "ground",
+            "GROUND",
+            "A level square from -1 to 1 of two faces, eight repeats of a texture each way.",
+            corridor::ground(),
         ),
         mesh(
             "icosphere",
@@ -93,6 +122,18 @@ pub fn made_meshes() -> Vec<Made<Packed>> {
             "ISLAND_SEA",
             "The sea from the island's coast to the edge of the board.",
             island::sea(),
+        ),
+        mesh(
+            "ladder",
+            "LADDER",
+            "Six pairs of parallel faces one unit before an eye at the origin, from 5 % to 0.1 % of it apart.",
+            ladder::make(),
+        ),
+        mesh(
+            "star",
+            "STAR",
+            "360 needles round a hub in the plane z = 0, half a degree wide at a quarter of their length.",
+            star::make(),
         ),
         mesh(
             "teapot",
