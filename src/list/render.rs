@@ -26,14 +26,21 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
         let mut target = strip.rows(rows.start, rows.start.max(0)..rows.end.min(height), 0..width);
         let rows = target.window().rows.clone();
         for triangle in self.triangles.get(..self.used_triangles).unwrap_or_default() {
-            let [first, end] = triangle.rows.map(i32::from);
-            if first < rows.end && rows.start < end {
-                let kept = self.shaders.get(usize::from(triangle.shader));
-                if let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.base..)?)))
-                {
-                    (kept.draw)(&kept.uniforms, words, triangle, &mut target);
-                }
+            let [first, end] = triangle.rows;
+            // Most triangles of a frame are in other strips.
+            if i32::from(end) <= rows.start || i32::from(first) >= rows.end {
+                continue;
             }
+            self.render_one(triangle, &mut target);
+        }
+    }
+
+    /// Apart, so that the search for triangles is a loop of few registers.
+    #[inline(never)]
+    fn render_one(&self, triangle: &ListTriangle, target: &mut Rows<'_, P, D>) {
+        let kept = self.shaders.get(usize::from(triangle.shader));
+        if let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.base..)?))) {
+            (kept.draw)(&kept.uniforms, words, triangle, target);
         }
     }
 

@@ -113,7 +113,7 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
 
     /// The background everywhere, infinitely far away.
     pub fn clear(&mut self) {
-        self.colours.fill(self.background);
+        Run::new(self.colours).fill(self.background);
         D::clear(&mut self.depths);
     }
 
