@@ -14,9 +14,9 @@ const WAYS = ['flat', 'flat-depth', 'gouraud-depth', 'perspective-depth', 'every
 /** Names of functions that belong to what can be left out, as they stand in the images. */
 const KINDS = {
     depth: /topleft5depth/,
-    texture: /[Tt]extur/,
+    texture: /[Tt]extur|sampler/,
     light: /5light|recip9normalise/,
-    perspective: /11perspective|PerPixel/,
+    perspective: /11perspective|PerPixel|6over_w/,
     floats: /topleft6camera|__(add|sub|mul|div)sf3/,
 };
 /** What each way to draw does not use. */
