@@ -79,8 +79,8 @@ where
     let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
     let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
     let [x, y] = setup.anchor();
-    let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).from_anchor(x, y);
-    let varying = <S::Varying as Varying>::plane(&gradients, varyings).from_anchor(x, y);
+    let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).moved_from(x, y);
+    let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
     let window = target.window().clone();
     let shading = Shading { shader, triangle, varying };
     T::spans(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })

@@ -41,7 +41,7 @@ impl Transform {
     /// # Errors
     /// The camera's target is too large.
     pub(crate) fn new<C: Camera>(camera: &C, mesh: &Mesh<'_>, pose: &Pose) -> Result<Self, TooLarge> {
-        Ok(Self::through(camera.viewport()?, &camera.matrix(), mesh, pose))
+        Ok(Self::through(camera.viewport()?, camera.matrix(), mesh, pose))
     }
 
     /// Whatever camera it is, this is linked once.

@@ -29,7 +29,7 @@ pub trait Varying: Copy {
 impl<V: Varying> Plane<V> {
     /// The same plane, from column 0 and row 0 of the frame on: its anchor is in column `x` and row `y`.
     #[inline]
-    pub(crate) fn from_anchor(&self, x: i32, y: i32) -> Self {
+    pub(crate) fn moved_from(&self, x: i32, y: i32) -> Self {
         Self { start: self.at(x.wrapping_neg(), y.wrapping_neg()), ..*self }
     }
 

@@ -39,7 +39,7 @@ fn run<'a, S: Shader<'a, u16>>(criterion: &mut Criterion, name: &str, shader: &S
     let mut group = criterion.benchmark_group("shade");
     group.throughput(Throughput::Elements(RUN as u64)).bench_function(name, |bencher| {
         bencher.iter(|| {
-            pixel.shade(&triangle, black_box(plane.start), &plane.dx, Run::new(black_box(&mut pixels)))
+            pixel.shade(&triangle, black_box(plane.start), &plane.dx, Run::new(black_box(&mut pixels)));
         });
     });
     group.finish();

@@ -30,7 +30,7 @@ fn quotient(of: &Gradients, high: i32, low: i32) -> Gradient {
     let (whole_high, whole_low) = (whole >> 16, whole as u32 & 0xFFFF);
     let (high, low) = (of.reciprocal >> 16, of.reciprocal & 0xFFFF);
     let middle = i64::from(whole_high * low.cast_signed()) + i64::from(whole_low * high);
-    let below = i64::from(whole_low * low) + i64::from(part * high) + i64::from(part * low >> 16);
+    let below = i64::from(whole_low * low) + i64::from(part * high) + i64::from((part * low) >> 16);
     // The product with the reciprocal, without its last 16 bits.
     let product = (i64::from(whole_high * high.cast_signed()) << 32) + (middle << 16) + below;
     // 7 to 31: an area has at most 25 bits.

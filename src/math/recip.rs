@@ -151,8 +151,8 @@ pub(crate) fn small_area(area2: u32) -> (u32, i32) {
     // are 2^-28, and its halves are below 2^14.7 and 2^10.
     let missing = (1 << 47) - product::with_short(normalised, seed.cast_unsigned()).cast_signed();
     let (high, low) = ((missing >> 19) as i32, (missing >> 9) as i32 & 0x3FF);
-    let first = (seed * high + (seed * low >> 10)) >> 13;
-    let second = seed * (high * high >> 16) >> 25;
+    let first = (seed * high + ((seed * low) >> 10)) >> 13;
+    let second = (seed * ((high * high) >> 16)) >> 25;
     // Both were rounded down: up to two steps are missing, and one is added.
     let reciprocal = (seed.cast_unsigned() << 15).wrapping_add_signed(first + second + 1);
     (reciprocal.min(1 << 31), shift as i32)
