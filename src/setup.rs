@@ -133,7 +133,7 @@ impl Setup {
     /// What turns values at the vertices into planes.
     #[inline]
     pub fn gradients(&self) -> Gradients {
-        Gradients::new(self)
+        Gradients::new(self.points, self.area2, self.small)
     }
 }
 

@@ -4,9 +4,9 @@
 //! exact, the product with the reciprocal as well, and one rounding to nearest. An error of the reciprocal scales the
 //! plane about its first vertex, so it is harmless even for slivers.
 
-use crate::math::format::{HALF_PIXEL, SUBPIXELS};
+use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 use crate::math::recip;
-use crate::setup::Setup;
+use crate::snapped::Snapped;
 
 mod small;
 mod wide;
@@ -52,17 +52,17 @@ impl Gradients {
         to_centre: [0; 2],
     };
 
+    /// Of a triangle in canonical order, with an area; `small` where no two vertices are 32 px or more apart on an axis.
     #[inline]
-    pub(crate) fn new(setup: &Setup) -> Self {
-        let [a, b, c] = setup.points();
+    pub(crate) fn new([a, b, c]: [Snapped; 3], area2: i64, small: bool) -> Self {
         let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
-        let (first, second) = if setup.area2() < 0 {
+        let (first, second) = if area2 < 0 {
             ([ax - bx, ay - by], [ax - cx, ay - cy])
         } else {
             ([bx - ax, by - ay], [cx - ax, cy - ay])
         };
-        let area2 = setup.area2().unsigned_abs();
-        let small = setup.is_small() && area2 >> small::AREA_BITS == 0;
+        let area2 = area2.unsigned_abs();
+        let small = small && area2 >> small::AREA_BITS == 0;
         let (reciprocal, normalised) =
             if small { recip::small_area(area2 as u32) } else { recip::area(area2) };
         // From the vertex to the centre of the pixel that holds it: -127 to 128.
@@ -74,7 +74,7 @@ impl Gradients {
             shift: (54 - normalised).unsigned_abs(),
             small,
             to_centre: [to_centre(ax), to_centre(ay)],
-            anchor: setup.anchor(),
+            anchor: [ax >> SUBPIXEL_BITS, ay >> SUBPIXEL_BITS],
         }
     }
 
