@@ -8,7 +8,9 @@ use core::hint::black_box;
 
 use embedded_graphics_core::geometry::Size;
 use topleft::stages::Shader;
-use topleft::{Camera, Depth, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip};
+use topleft::{
+    Camera, Depth, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip, Texture,
+};
 
 /// Pixels of the panel.
 pub const PANEL: Size = Size::new(240, 240);
@@ -66,6 +68,12 @@ impl Default for Memory {
 /// The cube, of which the compiler knows nothing.
 pub fn mesh() -> &'static Mesh<'static> {
     black_box(&scenes::mesh::CUBE)
+}
+
+/// A texture of four texels, so that it is the code which is measured. The compiler knows nothing of it either.
+pub fn texture() -> Option<Texture<'static>> {
+    static TEXELS: [u16; 4] = [0xF800, 0x07E0, 0x001F, 0xFFFF];
+    Texture::new(2, 2, black_box(&TEXELS)).ok()
 }
 
 /// Draws the cube into a list and each strip of it.

@@ -8,7 +8,6 @@ use embedded_graphics_core::Pixel;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::prelude::*;
 use footprint::{Memory, PANEL};
-use scenes::texture::BRICK;
 use topleft::{
     Affine, DrawList, Flat, Gouraud, Length, Material, Mesh, Orthographic, PerPixel, Perspective,
     ShadedTriangle, Strip, Sun, Textured, Turn, point,
@@ -25,13 +24,14 @@ fn with_depth(memory: &'static mut Memory) -> Option<()> {
         .look_at(black_box([1.0, 2.0, 4.0]), [0.0; 3]);
     let sun = Sun::new(black_box([Length::ONE; 3]));
     let material = Material::OfMesh;
+    let texture = footprint::texture()?;
     let list = &mut DrawList::new(words, triangles);
     footprint::draw(list, &mut strip, &camera, &Flat::new(material).lit_by(&sun));
     footprint::draw(list, &mut strip, &camera, &Gouraud::new(&sun, &material));
-    footprint::draw(list, &mut strip, &camera, &Textured::new(&BRICK, Affine));
-    footprint::draw(list, &mut strip, &camera, &Textured::new(&BRICK, PerPixel));
-    footprint::draw(list, &mut strip, &camera, &Textured::new(&BRICK, Affine).lit_by(&sun));
-    footprint::draw(list, &mut strip, &camera, &Textured::new(&BRICK, PerPixel).lit_by(&sun));
+    footprint::draw(list, &mut strip, &camera, &Textured::new(&texture, Affine));
+    footprint::draw(list, &mut strip, &camera, &Textured::new(&texture, PerPixel));
+    footprint::draw(list, &mut strip, &camera, &Textured::new(&texture, Affine).lit_by(&sun));
+    footprint::draw(list, &mut strip, &camera, &Textured::new(&texture, PerPixel).lit_by(&sun));
     list.clear();
     let blob = Mesh::from_bytes(black_box(&[])).ok()?;
     let front = Orthographic::new(PANEL, black_box(4.0), -2.0..2.0);
