@@ -46,6 +46,18 @@ pub trait Pixel: Copy {
 }
 
 /// The channels of a colour as they are interpolated along a row: stepped by sums.
+///
+/// `[Attribute; 3]` is one for every [`Pixel`], and `u64` holds the three channels of RGB565 in one sum.
+///
+/// ```
+/// use topleft::Attribute;
+/// use topleft::stages::Stepped;
+///
+/// let channels = |r, g, b| [r, g, b].map(|channel| Attribute::from_bits(channel << 16));
+/// let start: u64 = Stepped::<u16>::new(channels(1, 2, 3));
+/// let step = Stepped::<u16>::new(channels(1, 0, -2));
+/// assert_eq!(Stepped::<u16>::colour(Stepped::<u16>::plus(start, step)), 2 << 11 | 2 << 5 | 1);
+/// ```
 pub trait Stepped<P>: Copy {
     /// Of red, green and blue from 0 to [`MAX`](Pixel::MAX) with 16 fraction bits, or of their step.
     fn new(channels: [Attribute; 3]) -> Self;
