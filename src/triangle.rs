@@ -12,7 +12,7 @@ use crate::pipeline::{self, Vertices};
 use crate::pixel::Pixel;
 use crate::point::Point;
 use crate::raster::{Spans, Window};
-use crate::setup::{Setup, canonical};
+use crate::setup::{Setup, area2, canonical};
 use crate::shade::{Affine, FlatPixel, GouraudPixel, PixelShader, Textured};
 use crate::snapped::Snapped;
 use crate::target::Display;
@@ -112,8 +112,8 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     colour: [u8; 3],
     target: &mut D,
 ) -> Result<(), D::Error> {
-    let area = target.bounding_box();
-    let projection = Projection::of_pixels(Viewport::largest(area.size));
+    let bounds = target.bounding_box();
+    let projection = Projection::of_pixels(Viewport::largest(bounds.size));
     let ([a, b, c], [p, q, r]) = (points.map(position), attributes.map(carried));
     let corners = [(a, p), (b, q), (c, r)].map(|(position, carried)| ClipVertex { position, carried });
     let codes = [a, b, c].map(|at| Outcode::new(&at, &projection).0);
@@ -129,8 +129,16 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     });
     let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
     let mut fan = polygon.iter();
-    let (Some(first), Some(mut middle)) = (fan.next(), fan.next()) else { return Ok(()) };
+    let (Some(first), Some(second)) = (fan.next(), fan.next()) else { return Ok(()) };
+    let area = |middle, last| area2(snap(first), snap(middle), snap(last));
+    // Which way round all of it is. Snapped, a polygon can be dented by a step.
+    let (turn, _) = fan.clone().fold((0, second), |(sum, middle), last| (sum + area(middle, last), last));
+    let mut middle = second;
     for last in fan {
+        if area(middle, last).signum() == -turn.signum() && turn != 0 {
+            // A step back: it would hit pixels of its neighbours again.
+            continue;
+        }
         let vertices = [first, middle, last];
         let order = canonical(vertices.map(snap)).map(|i| vertices.get(i).copied().unwrap_or(first));
         let [a, b, c] = order.map(|vertex| S::Vertex::load(&mut vertex.carried.iter().copied()));
@@ -141,7 +149,8 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
                 attributes: [a, b, c],
                 colour,
             };
-            let mut display = Display { origin: area.top_left, window: window.clone(), target: &mut *target };
+            let mut display =
+                Display { origin: bounds.top_left, window: window.clone(), target: &mut *target };
             pipeline::draw::<C, S, Spans, NoDepth, _>(&setup, *shader, vertices, &mut display)?;
         }
         middle = last;
