@@ -2,16 +2,18 @@
 //! above its window, and where an edge crosses a plane.
 //!
 //! All of them are defined to the bit: a table, linear interpolation and Newton steps in integers, so that no chip's
-//! divider can change a pixel. The three names are the three uses.
+//! divider can change a pixel. The names are the uses.
 //!
 //! | function | for | relative error | steps |
 //! |---|---|---|---|
 //! | [`pixel`] | texels, once a pixel | -2^-15 - 2^-16 to 2^-14 + 2^-16 | table and interpolation |
 //! | [`vertex`] | perspective divide, once a vertex | -2^-27.9 | and one Newton step |
 //! | [`area`] | gradients, once a triangle | ±2^-30 | and one more |
+//! | [`small_area`] | the same for a small triangle | ±2^-30 | table, interpolation, and two terms of a series |
+//! | [`short`] | the slope of a short edge, which corrects it | -2^-16 to 2^-14 + 2^-15 | table and interpolation |
 //!
-//! The chord of a convex function lies above it, by at most `f'' h^2 / 8 = 2 / 64^2 / 8 = 2^-14` between entries, and entries have steps of 2^-16; a
-//! Newton step squares the error and leaves it below.
+//! The chord of a convex function lies above it, by at most `f'' h^2 / 8 = 2 / 64^2 / 8 = 2^-14` between entries, and
+//! entries have steps of 2^-16; a Newton step squares the error and leaves it below.
 
 use super::product;
 

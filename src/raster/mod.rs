@@ -3,7 +3,8 @@
 //! Takes a [`Setup`] and a [`Window`]; gives spans from the top down. There are two walks with
 //! one answer, exact for every triangle inside the guard rectangle:
 //!
-//! * [`Spans`] steps the left and the right edge from row to row as an integer DDA: quotient and remainder.
+//! * [`Spans`] steps the left and the right edge from row to row: as an integer DDA, or, where a triangle is small enough
+//!   for that to be exact as well, by one addition.
 //! * [`BoxWalk`] tests the edge functions at every pixel of the bounding box.
 //!
 //! A pixel belongs to a triangle where its centre is inside, or on a top or left edge.
