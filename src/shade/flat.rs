@@ -1,6 +1,6 @@
 //! One colour a face.
 
-use super::light::{LocalSun, Material, Sun, lit};
+use super::light::{Lighting, Material, Sun, Unlit};
 use super::{PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
 use crate::mesh::Mesh;
@@ -19,45 +19,42 @@ use crate::transform::PerVertexInverse;
 /// let painted = Flat::new(Material::OfMesh).lit_by(&Sun::new([Length::ONE; 3]));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Flat {
+pub struct Flat<L = Unlit> {
     material: Material,
-    sun: Option<Sun>,
+    light: L,
 }
 
 impl Flat {
     /// The material as it is, without light.
     pub fn new(material: impl Into<Material>) -> Self {
-        Self { material: material.into(), sun: None }
-    }
-
-    /// The same under a light that falls on each face by its normal.
-    #[must_use]
-    pub const fn lit_by(mut self, sun: &Sun) -> Self {
-        self.sun = Some(*sun);
-        self
+        Self { material: material.into(), light: Unlit }
     }
 }
 
-impl<'a, P: Pixel> Shader<'a, P> for Flat {
+impl<L: Lighting> Flat<L> {
+    /// The same under a light that falls on each face by its normal.
+    #[must_use]
+    pub const fn lit_by(self, sun: &Sun) -> Flat<Sun> {
+        Flat { material: self.material, light: *sun }
+    }
+}
+
+impl<'a, P: Pixel, L: Lighting> Shader<'a, P> for Flat<L> {
     type Pixel = FlatPixel;
-    type Local = Option<LocalSun>;
+    type Local = L::Local;
 
     fn pixel(&self) -> FlatPixel {
         FlatPixel
     }
 
-    fn local(&self, _: &Mesh<'_>, pose: &Pose) -> Option<LocalSun> {
-        self.sun.map(|sun| sun.local(pose))
+    fn local(&self, _: &Mesh<'_>, pose: &Pose) -> L::Local {
+        self.light.local(pose)
     }
 
-    fn vertex(&self, _: &Option<LocalSun>, _: &Mesh<'_>, _: usize) {}
+    fn vertex(&self, _: &L::Local, _: &Mesh<'_>, _: usize) {}
 
-    fn face(&self, local: &Option<LocalSun>, mesh: &Mesh<'_>, face: usize) -> [u8; 3] {
-        let colour = self.material.of_face(mesh, face);
-        match local {
-            Some(sun) => lit(colour, sun.on_face(mesh, face)),
-            None => colour,
-        }
+    fn face(&self, local: &L::Local, mesh: &Mesh<'_>, face: usize) -> [u8; 3] {
+        L::on_face(local, mesh, face, self.material.of_face(mesh, face))
     }
 }
 

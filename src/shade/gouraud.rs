@@ -1,6 +1,6 @@
 //! A colour a vertex, interpolated.
 
-use super::light::{LocalSun, Material, Sun, lit};
+use super::light::{Lighting, Material, Sun, Unlit};
 use super::{PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
 use crate::math::format::Attribute;
@@ -24,44 +24,42 @@ use crate::transform::PerVertexInverse;
 /// let painted = Gouraud::unlit(&Material::OfMesh);
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Gouraud {
+pub struct Gouraud<L = Sun> {
     material: Material,
-    sun: Option<Sun>,
+    light: L,
 }
 
 impl Gouraud {
     /// The material under the light that falls on each vertex by its normal.
     pub const fn new(sun: &Sun, material: &Material) -> Self {
-        Self { material: *material, sun: Some(*sun) }
-    }
-
-    /// The material as it is.
-    pub const fn unlit(material: &Material) -> Self {
-        Self { material: *material, sun: None }
+        Self { material: *material, light: *sun }
     }
 }
 
-impl<'a, P: Pixel> Shader<'a, P> for Gouraud {
+impl Gouraud<Unlit> {
+    /// The material as it is.
+    pub const fn unlit(material: &Material) -> Self {
+        Self { material: *material, light: Unlit }
+    }
+}
+
+impl<'a, P: Pixel, L: Lighting> Shader<'a, P> for Gouraud<L> {
     type Pixel = GouraudPixel;
-    type Local = Option<LocalSun>;
+    type Local = L::Local;
 
     fn pixel(&self) -> GouraudPixel {
         GouraudPixel
     }
 
-    fn local(&self, _: &Mesh<'_>, pose: &Pose) -> Option<LocalSun> {
-        self.sun.map(|sun| sun.local(pose))
+    fn local(&self, _: &Mesh<'_>, pose: &Pose) -> L::Local {
+        self.light.local(pose)
     }
 
-    fn vertex(&self, local: &Option<LocalSun>, mesh: &Mesh<'_>, vertex: usize) -> [u8; 3] {
-        let colour = self.material.of_vertex(mesh, vertex);
-        match local {
-            Some(sun) => lit(colour, sun.on_vertex(mesh, vertex)),
-            None => colour,
-        }
+    fn vertex(&self, local: &L::Local, mesh: &Mesh<'_>, vertex: usize) -> [u8; 3] {
+        L::on_vertex(local, mesh, vertex, self.material.of_vertex(mesh, vertex))
     }
 
-    fn face(&self, _: &Option<LocalSun>, _: &Mesh<'_>, _: usize) -> [u8; 3] {
+    fn face(&self, _: &L::Local, _: &Mesh<'_>, _: usize) -> [u8; 3] {
         [0; 3]
     }
 }

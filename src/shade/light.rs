@@ -54,6 +54,63 @@ impl Sun {
     }
 }
 
+/// What falls on a surface: a [`Sun`], or nothing.
+///
+/// A type parameter of the shaders: without light, none of its code is linked.
+pub trait Lighting: Copy {
+    /// What is computed once a mesh.
+    type Local;
+
+    /// The light as a mesh in this pose sees it.
+    #[doc(hidden)]
+    fn local(&self, pose: &Pose) -> Self::Local;
+
+    /// The colour of a face under the light.
+    #[doc(hidden)]
+    fn on_face(local: &Self::Local, mesh: &Mesh<'_>, face: usize, colour: [u8; 3]) -> [u8; 3];
+
+    /// The colour of a vertex under the light.
+    #[doc(hidden)]
+    fn on_vertex(local: &Self::Local, mesh: &Mesh<'_>, vertex: usize, colour: [u8; 3]) -> [u8; 3];
+}
+
+/// No light: colours are shown as they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unlit;
+
+impl Lighting for Unlit {
+    type Local = ();
+
+    #[inline]
+    fn local(&self, _: &Pose) {}
+
+    #[inline]
+    fn on_face((): &(), _: &Mesh<'_>, _: usize, colour: [u8; 3]) -> [u8; 3] {
+        colour
+    }
+
+    #[inline]
+    fn on_vertex((): &(), _: &Mesh<'_>, _: usize, colour: [u8; 3]) -> [u8; 3] {
+        colour
+    }
+}
+
+impl Lighting for Sun {
+    type Local = LocalSun;
+
+    fn local(&self, pose: &Pose) -> LocalSun {
+        Self::local(self, pose)
+    }
+
+    fn on_face(sun: &LocalSun, mesh: &Mesh<'_>, face: usize, colour: [u8; 3]) -> [u8; 3] {
+        lit(colour, sun.on_face(mesh, face))
+    }
+
+    fn on_vertex(sun: &LocalSun, mesh: &Mesh<'_>, vertex: usize, colour: [u8; 3]) -> [u8; 3] {
+        lit(colour, sun.on_vertex(mesh, vertex))
+    }
+}
+
 /// A sun in the turned frame of a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalSun {
@@ -94,7 +151,9 @@ impl LocalSun {
     }
 }
 
-/// The normal of a face's plane, towards the side it is counter-clockwise from.
+/// The normal of a face's plane, towards the side it is counter-clockwise from. Apart, so that an image shows whether light
+/// is linked.
+#[inline(never)]
 fn plane_normal(mesh: &Mesh<'_>, face: usize) -> Option<[i8; 3]> {
     let corner = |index: u16| mesh.positions().get(usize::from(index)).map(|p| p.map(i64::from));
     let [a, b, c] = mesh.faces().get(face).copied()?;

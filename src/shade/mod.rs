@@ -25,7 +25,7 @@ pub use flat::Flat;
 pub(crate) use flat::FlatPixel;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::GouraudPixel;
-pub use light::{Material, Sun};
+pub use light::{Lighting, Material, Sun, Unlit};
 pub use perspective::{Affine, Correction, Divide, Divided, PerPixel, Portable, Subspans, Within};
 pub use sampler::Sampler;
 pub use textured::{LitTexture, Textured};
