@@ -43,15 +43,6 @@ impl Sun {
         self.diffuse = diffuse;
         self
     }
-
-    /// The light as a mesh in this pose sees it.
-    pub(crate) fn local(&self, pose: &Pose) -> LocalSun {
-        LocalSun {
-            direction: pose.to_model(self.direction).map(|c| c >> 15),
-            ambient: i32::from(self.ambient),
-            diffuse: i32::from(self.diffuse),
-        }
-    }
 }
 
 /// What falls on a surface: a [`Sun`], or nothing.
@@ -99,7 +90,11 @@ impl Lighting for Sun {
     type Local = LocalSun;
 
     fn local(&self, pose: &Pose) -> LocalSun {
-        Self::local(self, pose)
+        LocalSun {
+            direction: pose.to_model(self.direction).map(|c| c >> 15),
+            ambient: i32::from(self.ambient),
+            diffuse: i32::from(self.diffuse),
+        }
     }
 
     fn on_face(sun: &LocalSun, mesh: &Mesh<'_>, face: usize, colour: [u8; 3]) -> [u8; 3] {

@@ -1,6 +1,6 @@
 //! Textures, as they are or under light.
 
-use super::light::{LocalSun, Sun};
+use super::light::{Lighting, LocalSun, Sun};
 use super::perspective::Correction;
 use super::sampler::{Lit, Paint, Painter, Plain};
 use super::{PixelShader, Shader, Uniforms};
