@@ -9,8 +9,8 @@ use embedded_graphics::prelude::{PixelColor, Point, RgbColor, Size};
 use embedded_graphics::primitives::Rectangle;
 use topleft::stages::Traversal;
 use topleft::{
-    Affine, BoxWalk, Camera, Cull, DrawError, DrawList, Flat, Gouraud, ListTriangle, Material, Mesh,
-    PerPixel, Pixel, Pose, Spans, Stats, Sun, Texture, Textured, Viewport,
+    Affine, BoxWalk, Camera, Cull, Divided, DrawError, DrawList, Flat, Gouraud, ListTriangle, Material, Mesh,
+    PerPixel, Pixel, Portable, Pose, Spans, Stats, Subspans, Sun, Texture, Textured, Viewport, Within,
 };
 
 use crate::lens::Seen;
@@ -30,10 +30,14 @@ pub(crate) enum Look {
     AffineLit,
     PerPixel,
     PerPixelLit,
+    Subspans,
+    Within,
+    WithinLit,
+    Divided,
 }
 
 impl Look {
-    pub(crate) const ALL: [Self; 8] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Flat,
         Self::FlatLit,
         Self::Gouraud,
@@ -42,6 +46,10 @@ impl Look {
         Self::AffineLit,
         Self::PerPixel,
         Self::PerPixelLit,
+        Self::Subspans,
+        Self::Within,
+        Self::WithinLit,
+        Self::Divided,
     ];
 }
 
@@ -223,6 +231,7 @@ fn add<'a, P: Pixel, D: Strips, T: Traversal>(
     list.set_cull(*cull);
     let affine = Textured::new(texture, Affine);
     let exact = Textured::new(texture, PerPixel);
+    let within = Textured::new(texture, Within::default());
     match look {
         Look::Flat => list.draw(camera, mesh, pose, &Flat::new(*material)),
         Look::FlatLit => list.draw(camera, mesh, pose, &Flat::new(*material).lit_by(sun)),
@@ -232,5 +241,9 @@ fn add<'a, P: Pixel, D: Strips, T: Traversal>(
         Look::AffineLit => list.draw(camera, mesh, pose, &affine.lit_by(sun)),
         Look::PerPixel => list.draw(camera, mesh, pose, &exact),
         Look::PerPixelLit => list.draw(camera, mesh, pose, &exact.lit_by(sun)),
+        Look::Subspans => list.draw(camera, mesh, pose, &Textured::new(texture, Subspans::Of8)),
+        Look::Within => list.draw(camera, mesh, pose, &within),
+        Look::WithinLit => list.draw(camera, mesh, pose, &within.lit_by(sun)),
+        Look::Divided => list.draw(camera, mesh, pose, &Textured::new(texture, Divided::<Portable>::new())),
     }
 }

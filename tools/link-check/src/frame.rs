@@ -8,9 +8,9 @@ use scenes::mesh::CUBE;
 use scenes::texture::BRICK;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, DrawError, DrawList, Flat, Gouraud, Length,
-    ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth, PerPixel, Pixel, Pose, Strip,
-    Sun, Texture, Textured, Turn, Wrap,
+    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, Divided, DrawError, DrawList, Flat, Gouraud,
+    Length, ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth, PerPixel, Pixel,
+    Portable, Pose, Strip, Subspans, Sun, Texture, Textured, Turn, Within, Wrap,
 };
 
 use crate::screen::{SIZE, Screen};
@@ -109,8 +109,12 @@ fn every_shader<'a, P: Pixel, D: Depth, T: Traversal>(
     draw(list, mesh, &Gouraud::new(&sun, &brass))?;
     draw(list, mesh, &Textured::new(&texture, Affine))?;
     draw(list, mesh, &Textured::new(&texture, PerPixel))?;
+    draw(list, mesh, &Textured::new(&texture, black_box(Subspans::Of16)))?;
+    draw(list, mesh, &Textured::new(&texture, black_box(Within::default())))?;
+    draw(list, mesh, &Textured::new(&texture, Divided::<Portable>::new()))?;
     draw(list, mesh, &Textured::new(&texture, Affine).lit_by(&sun))?;
     draw(list, mesh, &Textured::new(&texture, PerPixel).lit_by(&sun))?;
+    draw(list, mesh, &Textured::new(&texture, black_box(Within::default())).lit_by(&sun))?;
     if let Ok(mesh) = Mesh::from_bytes(black_box(&BLOB.0)) {
         draw(list, &mesh, &Gouraud::unlit(&Material::OfMesh))?;
     }
