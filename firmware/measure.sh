@@ -24,7 +24,8 @@ case $mode in
 esac
 
 tables=../docs/measured
-targets=${CARGO_TARGET_DIR:-target}
+targets=${CARGO_TARGET_DIR:-target}/measured
+export CARGO_TARGET_DIR=$targets RUSTC_WRAPPER=$PWD/measure/rustc-anywhere
 m0=thumbv6m-none-eabi
 m4=thumbv7em-none-eabihf
 riscv=riscv32imc-unknown-none-elf

@@ -33,7 +33,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     ) -> Result<(), DrawError> {
         let transform = Transform::new(camera, mesh, pose)?;
         let faces = mesh.faces().len();
-        if transform.misses(mesh.bounds()) {
+        if faces == 0 || transform.misses(mesh.bounds()) {
             self.stats.faces += faces;
             self.stats.outside += faces;
             return Ok(());

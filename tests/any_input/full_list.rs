@@ -93,3 +93,23 @@ fn what_is_missing_counts_the_padding_too() {
         assert_eq!(thrice(words), Err(DrawError::Full { triangles: 3, words: 42 - words }));
     }
 }
+
+/// Turned red by: a mesh without faces, and so without vertices, for which padding is taken where there is none left.
+#[test]
+fn a_mesh_without_faces_takes_nothing() {
+    let (positions, indices) = fan_mesh(3);
+    let mesh = Mesh::new(&positions, &indices).unwrap();
+    let camera = Perspective::new(Size::new(64, 64), Turn::from_degrees(70), 0.1..20.0)
+        .look_at([0.0, 2.5, 4.0], [0.0; 3]);
+    let (flat, gouraud) = (Flat::new(Rgb565::RED), Gouraud::unlit(&Material::OfMesh));
+    for (positions, faces) in [(&[][..], &[][..]), (&positions[..], &[])] {
+        let nothing = Mesh::new(positions, faces).unwrap();
+        // As many as two shaders' vertices take, of three and of four words: 2 more would be padding.
+        let mut storage = ([0; 28], [ListTriangle::EMPTY; 20]);
+        let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+        list.draw(&camera, &mesh, &Pose::new(), &flat).unwrap();
+        list.draw(&camera, &mesh, &Pose::new(), &gouraud).unwrap();
+        assert_eq!(list.draw(&camera, &nothing, &Pose::new(), &flat), Ok(()));
+        assert_eq!(list.words(), 28);
+    }
+}
