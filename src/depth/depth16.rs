@@ -1,115 +1,18 @@
-//! Stage 6. Which pixels of a span are visible, before any of them is shaded.
+//! A 16-bit depth, linear on the screen.
 //!
-//! A depth code is a `u16`: 0 is cleared and beyond the far plane, and greater is nearer. It is
+//! A code is a `u16`: 0 is cleared and beyond the far plane, and greater is nearer. It is
 //! `4 + 65528 (1 - z / w)`, linear on the screen, from 4 at the far plane to 65 532 at the near one: the margin of 4
 //! codes is more than interpolation is ever off by, so the wrapping plane never crosses an end of the range.
 
 use core::ops::Range;
 
+use super::Depth;
 use crate::attributes::Words;
 use crate::math::format::DepthCode;
-use crate::varying::Varying;
-
-/// What hides what. A type parameter: a list without depth has no buffer, no cycle and no code for it.
-pub trait Depth {
-    /// What a vertex carries for it.
-    type Vertex: Words;
-    /// What changes over a triangle.
-    type Varying: Varying;
-    /// The cells of a strip.
-    type Plane<'p>;
-    /// One of them.
-    type Cell<'p>;
-    /// Some of them.
-    #[doc(hidden)]
-    type Cells<'p>: Iterator<Item = Self::Cell<'p>>;
-
-    /// Whether nothing hides anything.
-    #[doc(hidden)]
-    const ALWAYS_VISIBLE: bool = false;
-
-    /// From `1 - z / w`, in 32 fraction bits.
-    #[doc(hidden)]
-    fn vertex(nearness: impl FnOnce() -> u32) -> Self::Vertex;
-
-    #[doc(hidden)]
-    fn varying(vertex: Self::Vertex) -> Self::Varying;
-
-    #[doc(hidden)]
-    fn reborrow<'p>(plane: &'p mut Self::Plane<'_>) -> Self::Plane<'p>;
-
-    #[doc(hidden)]
-    fn clear(plane: &mut Self::Plane<'_>);
-
-    #[doc(hidden)]
-    fn span<'p>(plane: &'p mut Self::Plane<'_>, span: Range<usize>) -> Option<Self::Plane<'p>>;
-
-    #[doc(hidden)]
-    fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;
-
-    /// Calls `visible` with each run of the plane's cells that `start`, and `step` more from one to the next, is nearer
-    /// than.
-    #[doc(hidden)]
-    fn runs(
-        plane: Self::Plane<'_>,
-        length: usize,
-        start: Self::Varying,
-        step: Self::Varying,
-        visible: impl FnMut(Range<usize>),
-    );
-
-    /// Whether `depth` is nearer than the cell, which is that far away from now on.
-    #[doc(hidden)]
-    fn cover(cell: Self::Cell<'_>, depth: Self::Varying) -> bool;
-}
-
-/// No depth: what is drawn later hides what was drawn before.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct NoDepth;
 
 /// A 16-bit depth buffer: the nearer pixel hides the other, and the earlier of two that are equal.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Depth16;
-
-impl Depth for NoDepth {
-    const ALWAYS_VISIBLE: bool = true;
-    type Vertex = ();
-    type Varying = ();
-    type Plane<'p> = ();
-    type Cell<'p> = ();
-    type Cells<'p> = core::iter::Repeat<()>;
-
-    #[inline]
-    fn vertex(_: impl FnOnce() -> u32) {}
-
-    #[inline]
-    fn varying((): ()) {}
-
-    #[inline]
-    fn reborrow((): &mut ()) {}
-
-    fn clear((): &mut ()) {}
-
-    #[inline(always)]
-    fn span((): &mut (), _: Range<usize>) -> Option<()> {
-        Some(())
-    }
-
-    #[inline(always)]
-    fn cells((): Self::Plane<'_>) -> Self::Cells<'_> {
-        core::iter::repeat(())
-    }
-
-    #[inline(always)]
-    fn runs((): Self::Plane<'_>, length: usize, (): (), (): (), mut visible: impl FnMut(Range<usize>)) {
-        visible(0..length);
-    }
-
-    #[inline(always)]
-    fn cover((): (), (): ()) -> bool {
-        true
-    }
-}
 
 /// Bits of a 1 at the near plane that the margins take away: `2^32 - 2^19` is 65 528 codes.
 const MARGIN_BITS: u32 = 13;

@@ -1,0 +1,67 @@
+//! Stage 6. Which pixels of a span are visible, before any of them is shaded.
+//!
+//! Each way to decide it has a file: [`NoDepth`] does not, and [`Depth16`] keeps the nearest depth of each pixel.
+
+use core::ops::Range;
+
+use crate::attributes::Words;
+use crate::varying::Varying;
+
+mod depth16;
+mod none;
+
+pub use depth16::Depth16;
+pub use none::NoDepth;
+
+/// What hides what. A type parameter: a list without depth has no buffer, no cycle and no code for it.
+pub trait Depth {
+    /// What a vertex carries for it.
+    type Vertex: Words;
+    /// What changes over a triangle.
+    type Varying: Varying;
+    /// The cells of a strip.
+    type Plane<'p>;
+    /// One of them.
+    type Cell<'p>;
+    /// Some of them.
+    #[doc(hidden)]
+    type Cells<'p>: Iterator<Item = Self::Cell<'p>>;
+
+    /// Whether nothing hides anything.
+    #[doc(hidden)]
+    const ALWAYS_VISIBLE: bool = false;
+
+    /// From `1 - z / w`, in 32 fraction bits.
+    #[doc(hidden)]
+    fn vertex(nearness: impl FnOnce() -> u32) -> Self::Vertex;
+
+    #[doc(hidden)]
+    fn varying(vertex: Self::Vertex) -> Self::Varying;
+
+    #[doc(hidden)]
+    fn reborrow<'p>(plane: &'p mut Self::Plane<'_>) -> Self::Plane<'p>;
+
+    #[doc(hidden)]
+    fn clear(plane: &mut Self::Plane<'_>);
+
+    #[doc(hidden)]
+    fn span<'p>(plane: &'p mut Self::Plane<'_>, span: Range<usize>) -> Option<Self::Plane<'p>>;
+
+    #[doc(hidden)]
+    fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;
+
+    /// Calls `visible` with each run of the plane's cells that `start`, and `step` more from one to the next, is nearer
+    /// than.
+    #[doc(hidden)]
+    fn runs(
+        plane: Self::Plane<'_>,
+        length: usize,
+        start: Self::Varying,
+        step: Self::Varying,
+        visible: impl FnMut(Range<usize>),
+    );
+
+    /// Whether `depth` is nearer than the cell, which is that far away from now on.
+    #[doc(hidden)]
+    fn cover(cell: Self::Cell<'_>, depth: Self::Varying) -> bool;
+}

@@ -1,0 +1,49 @@
+//! Nothing hides anything.
+
+use core::ops::Range;
+
+use super::Depth;
+
+/// No depth: what is drawn later hides what was drawn before.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoDepth;
+
+impl Depth for NoDepth {
+    const ALWAYS_VISIBLE: bool = true;
+    type Vertex = ();
+    type Varying = ();
+    type Plane<'p> = ();
+    type Cell<'p> = ();
+    type Cells<'p> = core::iter::Repeat<()>;
+
+    #[inline]
+    fn vertex(_: impl FnOnce() -> u32) {}
+
+    #[inline]
+    fn varying((): ()) {}
+
+    #[inline]
+    fn reborrow((): &mut ()) {}
+
+    fn clear((): &mut ()) {}
+
+    #[inline(always)]
+    fn span((): &mut (), _: Range<usize>) -> Option<()> {
+        Some(())
+    }
+
+    #[inline(always)]
+    fn cells((): Self::Plane<'_>) -> Self::Cells<'_> {
+        core::iter::repeat(())
+    }
+
+    #[inline(always)]
+    fn runs((): Self::Plane<'_>, length: usize, (): (), (): (), mut visible: impl FnMut(Range<usize>)) {
+        visible(0..length);
+    }
+
+    #[inline(always)]
+    fn cover((): (), (): ()) -> bool {
+        true
+    }
+}
