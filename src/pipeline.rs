@@ -4,12 +4,14 @@
 //! mesh --Face--> transform --Position--> clip --ClipVertex--> setup --Setup--> raster --Span--> depth, shade --Run--> target
 //! ```
 
+use core::marker::PhantomData;
+
 use crate::depth::Depth;
 use crate::gradients::{Gradients, Plane};
 use crate::raster::{DrawSpan, Span, Traversal, Window};
 use crate::run::Run;
 use crate::setup::Setup;
-use crate::shade::PixelShader;
+use crate::shade::{DrawTriangle, PixelShader};
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -75,15 +77,41 @@ where
     D: Depth,
     Target: Surface<P, D>,
 {
-    let (triangle, varyings) = shader.triangle(vertices.colour, vertices.attributes, vertices.inverses);
-    let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
-    let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
-    let [x, y] = setup.anchor();
-    let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).moved_from(x, y);
-    let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
-    let window = target.window().clone();
-    let shading = Shading { shader, triangle, varying };
-    T::spans(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
+    let Vertices { depths, inverses, attributes, colour } = vertices;
+    let onto = Onto::<T, D, Target> { setup, depths, target, traversal: PhantomData };
+    shader.choose(colour, attributes, inverses, onto)
+}
+
+/// Where a triangle is drawn, whichever shader it is that draws it.
+struct Onto<'t, T, D: Depth, Target> {
+    setup: &'t Setup,
+    depths: [D::Varying; 3],
+    target: &'t mut Target,
+    traversal: PhantomData<T>,
+}
+
+impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>> DrawTriangle<'a, P>
+    for Onto<'_, T, D, Target>
+{
+    type Output = Result<(), Target::Error>;
+
+    #[inline(always)]
+    fn draw<S: PixelShader<'a, P>>(
+        self,
+        shader: S,
+        triangle: S::Triangle,
+        varyings: [S::Varying; 3],
+    ) -> Self::Output {
+        let Self { setup, depths, target, traversal: _ } = self;
+        let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
+        let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
+        let [x, y] = setup.anchor();
+        let depth = <D::Varying as Varying>::plane(&gradients, depths).moved_from(x, y);
+        let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
+        let window = target.window().clone();
+        let shading = Shading { shader, triangle, varying };
+        T::spans(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
+    }
 }
 
 /// All that the spans of a triangle need.

@@ -26,7 +26,9 @@ pub(crate) use flat::FlatPixel;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::GouraudPixel;
 pub use light::{Lighting, Material, Sun, Unlit};
-pub use perspective::{Affine, Correction, Divide, Divided, PerPixel, Portable, Subspans, Within};
+pub use perspective::{
+    Affine, Correction, Divide, Divided, DrawTexels, PerPixel, Portable, Subspans, Within,
+};
 pub use sampler::Sampler;
 pub use textured::{LitTexture, Textured};
 
@@ -82,6 +84,19 @@ pub trait PixelShader<'a, P>: Copy {
         inverses: [PerVertexInverse; 3],
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
+    /// Has a triangle drawn: by this shader, or by a cheaper one that shows the same of it, or what the caller allowed.
+    #[inline]
+    fn choose<D: DrawTriangle<'a, P>>(
+        &self,
+        colour: [u8; 3],
+        vertices: [Self::Vertex; 3],
+        inverses: [PerVertexInverse; 3],
+        onto: D,
+    ) -> D::Output {
+        let (triangle, varyings) = self.triangle(colour, vertices, inverses);
+        onto.draw(*self, triangle, varyings)
+    }
+
     /// Colours a run: `start` at its first pixel, `step` more at each after it.
     fn shade<D: Depth>(
         &self,
@@ -96,6 +111,20 @@ pub trait PixelShader<'a, P>: Copy {
         let _ = triangle;
         None
     }
+}
+
+/// What a shader hands a triangle to, once it has chosen how to draw it.
+pub trait DrawTriangle<'a, P> {
+    /// What comes of it.
+    type Output;
+
+    /// Draws the triangle: what its pixels share, and the varyings at its vertices.
+    fn draw<S: PixelShader<'a, P>>(
+        self,
+        shader: S,
+        triangle: S::Triangle,
+        varyings: [S::Varying; 3],
+    ) -> Self::Output;
 }
 
 /// A pixel shader as a list keeps it: a texture and two words, for whatever it is made of.

@@ -6,8 +6,7 @@ use crate::math::{product, recip};
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
-/// 1/w, u/w and v/w in 31 fraction bits, with u and v from 0 to 1 in the triangle's [`TexelBox`]. Where 1/w is 0, which
-/// it is at no vertex, u and v themselves in texels with 16 fraction bits: they are linear, and 1/w needs no plane.
+/// 1/w, u/w and v/w in 31 fraction bits, with u and v from 0 to 1 in the triangle's [`TexelBox`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverW {
     pub(super) q: i32,
@@ -15,11 +14,6 @@ pub struct OverW {
 }
 
 impl OverW {
-    /// A texel that is linear as it is.
-    pub(super) fn affine(texel: [i32; 2]) -> Self {
-        Self { q: 0, texel }
-    }
-
     /// As it may be used: interpolation runs some steps below 0.
     #[inline(always)]
     pub(super) fn clamped(self) -> Self {
@@ -46,9 +40,8 @@ impl Varying for OverW {
             let Plane { start, dx, dy } = gradients.plane(values.map(i64::from));
             [start, dx, dy].map(|part| part as i32)
         };
-        let q = if a.q | b.q | c.q == 0 { [0; 3] } else { scalar([a.q, b.q, c.q]) };
         let ([au, av], [bu, bv], [cu, cv]) = (a.texel, b.texel, c.texel);
-        let (u, v) = (scalar([au, bu, cu]), scalar([av, bv, cv]));
+        let (q, u, v) = (scalar([a.q, b.q, c.q]), scalar([au, bu, cu]), scalar([av, bv, cv]));
         let ([q, dx_q, dy_q], [u, dx_u, dy_u], [v, dx_v, dy_v]) = (q, u, v);
         Plane {
             start: Self { q, texel: [u, v] },
@@ -76,6 +69,12 @@ pub(super) fn aligned(inverses: [PerVertexInverse; 3]) -> [i32; 3] {
     PerVertexInverse::aligned(inverses).map(|q| q.min(GREATEST))
 }
 
+/// From the whole texel at or below the least, in 16 fraction bits: it does not wrap.
+#[inline]
+fn above(value: i32, least: i32) -> u32 {
+    value.wrapping_sub(least << 16).cast_unsigned()
+}
+
 /// A triangle's corner of the texture: its least texel, and the power of two of texels that it spans.
 #[derive(Clone, Copy, Debug)]
 pub struct TexelBox {
@@ -86,28 +85,34 @@ pub struct TexelBox {
 }
 
 impl TexelBox {
-    /// The box of three texels, and where in it each is: 0 to 1 in 31 fraction bits.
+    /// The box of three texels.
     #[inline]
-    pub(super) fn new(texels: [[Attribute; 2]; 3]) -> (Self, [[u32; 2]; 3]) {
+    pub(super) fn new(texels: [[Attribute; 2]; 3]) -> Self {
         let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
         let ends = |[a, b, c]: [i32; 3]| (a.min(b).min(c) >> 16, a.max(b).max(c));
         let ((least_u, most_u), (least_v, most_v)) = (ends([a[0], b[0], c[0]]), ends([a[1], b[1], c[1]]));
-        // From the whole texel at or below the least, in 16 fraction bits: it does not wrap.
-        let above = |value: i32, least: i32| value.wrapping_sub(least << 16).cast_unsigned();
         let span = above(most_u, least_u).max(above(most_v, least_v));
         let span_log2 = (32 - span.saturating_sub(1).leading_zeros()).saturating_sub(16);
-        let part = |value: i32, least: i32| {
-            let above = above(value, least);
-            if span_log2 > 15 { above >> 1 } else { above << (15 - span_log2) }
-        };
-        let parts = |[u, v]: [i32; 2]| [part(u, least_u), part(v, least_v)];
-        (Self { least: [least_u, least_v], span_log2 }, [parts(a), parts(b), parts(c)])
+        Self { least: [least_u, least_v], span_log2 }
     }
 
-    /// Parts of the box over w, for 1/w in 31 fraction bits.
+    /// Where in the box three texels are: 0 to 1 in 31 fraction bits.
     #[inline]
-    pub(super) fn over_w(parts: [[u32; 2]; 3], inverses: [i32; 3]) -> [OverW; 3] {
-        let ([a, b, c], [qa, qb, qc]) = (parts, inverses);
+    pub(super) fn parts(&self, texels: [[Attribute; 2]; 3]) -> [[u32; 2]; 3] {
+        let Self { least: [least_u, least_v], span_log2 } = *self;
+        let part = |value: Attribute, least: i32| {
+            let above = above(value.to_bits(), least);
+            if span_log2 > 15 { above >> 1 } else { above << (15 - span_log2) }
+        };
+        let parts = |[u, v]: [Attribute; 2]| [part(u, least_u), part(v, least_v)];
+        let [a, b, c] = texels;
+        [parts(a), parts(b), parts(c)]
+    }
+
+    /// Three texels over w, for 1/w in 31 fraction bits.
+    #[inline]
+    pub(super) fn over_w(&self, texels: [[Attribute; 2]; 3], inverses: [i32; 3]) -> [OverW; 3] {
+        let ([a, b, c], [qa, qb, qc]) = (self.parts(texels), inverses);
         let vertex = |[u, v]: [u32; 2], q: i32| {
             let over_w = |part: u32| (product::unsigned(part, q.unsigned_abs()) >> 31) as i32;
             OverW { q, texel: [over_w(u), over_w(v)] }
@@ -117,8 +122,8 @@ impl TexelBox {
 
     /// Three vertices' 1/w in one power of two, the box, and all of it over w.
     pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
-        let (texel_box, parts) = Self::new(texels);
-        (texel_box, Self::over_w(parts, aligned(inverses)))
+        let texel_box = Self::new(texels);
+        (texel_box, texel_box.over_w(texels, aligned(inverses)))
     }
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.

@@ -1,9 +1,11 @@
 //! Textures, as they are or under light.
 
+use core::marker::PhantomData;
+
 use super::light::{Lighting, LocalSun, Sun};
-use super::perspective::Correction;
+use super::perspective::{Correction, DrawTexels};
 use super::sampler::{Lit, Paint, Painter, Plain};
-use super::{PixelShader, Shader, Uniforms};
+use super::{DrawTriangle, PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
@@ -116,6 +118,19 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         self.correction.triangle(vertices, inverses, self.texture.sizes_log2())
     }
 
+    #[inline]
+    fn choose<D: DrawTriangle<'a, P>>(
+        &self,
+        _: [u8; 3],
+        vertices: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        onto: D,
+    ) -> D::Output {
+        let Self { texture, correction } = *self;
+        let onto = Onto { texture, onto, pixel: PhantomData::<P> };
+        correction.choose(vertices, inverses, texture.sizes_log2(), onto)
+    }
+
     #[inline(always)]
     fn shade<D: Depth>(
         &self,
@@ -128,6 +143,55 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
             self.walk(triangle, start.plus(step.times(skipped)), step, pixels, Plain);
         });
     }
+}
+
+/// Where a triangle of a texture is drawn, by whichever method.
+struct Onto<'a, P, D> {
+    texture: Texture<'a>,
+    onto: D,
+    pixel: PhantomData<P>,
+}
+
+impl<'a, P: Pixel, D: DrawTriangle<'a, P>> DrawTexels for Onto<'a, P, D> {
+    type Output = D::Output;
+
+    #[inline(always)]
+    fn draw<C: Correction>(
+        self,
+        method: C,
+        triangle: C::Triangle,
+        varyings: [C::Varying; 3],
+    ) -> Self::Output {
+        self.onto.draw(Textured { texture: self.texture, correction: method }, triangle, varyings)
+    }
+}
+
+/// The same, under the light of its vertices.
+struct OntoLit<'a, P, D> {
+    plain: Onto<'a, P, D>,
+    light: [Attribute; 3],
+}
+
+impl<'a, P: Pixel, D: DrawTriangle<'a, P>> DrawTexels for OntoLit<'a, P, D> {
+    type Output = D::Output;
+
+    #[inline(always)]
+    fn draw<C: Correction>(
+        self,
+        method: C,
+        triangle: C::Triangle,
+        varyings: [C::Varying; 3],
+    ) -> Self::Output {
+        let Self { plain: Onto { texture, onto, .. }, light } = self;
+        let shader = LitTexturePixel(Textured { texture, correction: method });
+        onto.draw(shader, triangle, under(varyings, light))
+    }
+}
+
+/// Texels at three vertices, and the light there.
+#[inline]
+fn under<V>([a, b, c]: [V; 3], [p, q, r]: [Attribute; 3]) -> [(V, Attribute); 3] {
+    [(a, p), (b, q), (c, r)]
 }
 
 impl<'a, P: Pixel, C: Correction> Shader<'a, P> for LitTexture<'a, C> {
@@ -185,8 +249,21 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
             inverses,
             self.0.texture.sizes_log2(),
         );
-        let ([a, b, c], [p, q, r]) = (texels, vertices.map(|vertex| vertex.1));
-        (triangle, [(a, p), (b, q), (c, r)])
+        (triangle, under(texels, vertices.map(|vertex| vertex.1)))
+    }
+
+    #[inline]
+    fn choose<D: DrawTriangle<'a, P>>(
+        &self,
+        _: [u8; 3],
+        vertices: [([Attribute; 2], Attribute); 3],
+        inverses: [PerVertexInverse; 3],
+        onto: D,
+    ) -> D::Output {
+        let Self(Textured { texture, correction }) = *self;
+        let plain = Onto { texture, onto, pixel: PhantomData::<P> };
+        let onto = OntoLit { plain, light: vertices.map(|vertex| vertex.1) };
+        correction.choose(vertices.map(|vertex| vertex.0), inverses, texture.sizes_log2(), onto)
     }
 
     #[inline(always)]

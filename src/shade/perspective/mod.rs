@@ -45,6 +45,19 @@ pub trait Correction: Copy {
         sizes_log2: [u8; 2],
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
+    /// Has a triangle drawn: by this method, or by a cheaper one that is as near as the caller allowed.
+    #[inline]
+    fn choose<D: DrawTexels>(
+        self,
+        texels: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        sizes_log2: [u8; 2],
+        onto: D,
+    ) -> D::Output {
+        let (triangle, varyings) = self.triangle(texels, inverses, sizes_log2);
+        onto.draw(self, triangle, varyings)
+    }
+
     /// Hands each pixel of a run to `sampler`, from the first to the last, with the column and row of its texel, before
     /// wrapping or clamping.
     fn walk<T>(
@@ -55,4 +68,14 @@ pub trait Correction: Copy {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     );
+}
+
+/// What a method hands a triangle to, once it is chosen.
+pub trait DrawTexels {
+    /// What comes of it.
+    type Output;
+
+    /// Draws the triangle: what its pixels share, and the varyings at its vertices.
+    fn draw<C: Correction>(self, method: C, triangle: C::Triangle, varyings: [C::Varying; 3])
+    -> Self::Output;
 }

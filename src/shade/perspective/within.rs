@@ -3,7 +3,7 @@
 use super::super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
 use super::subspans::{differences, subspans};
-use super::{Correction, Sampler};
+use super::{Affine, Correction, DrawTexels, Sampler};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
 use crate::transform::PerVertexInverse;
@@ -63,25 +63,17 @@ impl Default for Within {
     }
 }
 
-/// How a triangle is drawn.
+/// What all pixels of a triangle share that may not be affine.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Way {
-    /// Its texels are linear.
-    Affine,
-    /// By subspans whose middle is off by at most so many texels, in 16 fraction bits.
-    Subspans(u32),
-}
-
-/// What [`Within`] decided for a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct Chosen {
+pub struct Bent {
     texel_box: TexelBox,
-    way: Way,
+    /// Texels that the middle of a subspan may be off by, in 16 fraction bits.
+    between: u32,
 }
 
 impl Correction for Within {
     type Varying = OverW;
-    type Triangle = Chosen;
+    type Triangle = Bent;
     const PERSPECTIVE: bool = true;
 
     fn words(self) -> [u32; 2] {
@@ -93,38 +85,43 @@ impl Correction for Within {
         Self { error }
     }
 
-    #[inline(never)]
+    #[inline]
     fn triangle(
         self,
         texels: [[Attribute; 2]; 3],
         inverses: [PerVertexInverse; 3],
+        _: [u8; 2],
+    ) -> (Bent, [OverW; 3]) {
+        self.bent(TexelBox::new(texels), texels, aligned(inverses))
+    }
+
+    #[inline]
+    fn choose<D: DrawTexels>(
+        self,
+        mut texels: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
         sizes_log2: [u8; 2],
-    ) -> (Chosen, [OverW; 3]) {
-        let (texel_box, parts) = TexelBox::new(texels);
-        let q = aligned(inverses);
-        match self.affine(&texel_box, texels, parts, q, sizes_log2) {
-            Some(texels) => (Chosen { texel_box, way: Way::Affine }, texels.map(OverW::affine)),
-            None => {
-                let way = Way::Subspans(self.between(&texel_box));
-                (Chosen { texel_box, way }, TexelBox::over_w(parts, q))
-            }
+        onto: D,
+    ) -> D::Output {
+        let (texel_box, q) = (TexelBox::new(texels), aligned(inverses));
+        if self.may_be_affine(&texel_box, &mut texels, q, sizes_log2) {
+            return onto.draw(Affine, (), texels);
         }
+        let (triangle, varyings) = self.bent(texel_box, texels, q);
+        onto.draw(self, triangle, varyings)
     }
 
     #[inline(always)]
     fn walk<T>(
         self,
-        triangle: &Chosen,
+        triangle: &Bent,
         start: OverW,
         step: &OverW,
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     ) {
-        let Chosen { texel_box, way } = triangle;
-        match *way {
-            Way::Affine => sampler.steps(run, start.texel, step.texel),
-            Way::Subspans(between) => bent(texel_box, between, start, step, run, sampler),
-        }
+        let Bent { texel_box, between } = triangle;
+        bent(texel_box, *between, start, step, run, sampler);
     }
 }
 
@@ -163,23 +160,26 @@ fn one_by_one<T>(
 }
 
 impl Within {
-    /// The texels of a triangle that may be affine.
-    #[inline(always)]
-    fn affine(
+    #[inline(never)]
+    fn bent(self, texel_box: TexelBox, texels: [[Attribute; 2]; 3], q: [i32; 3]) -> (Bent, [OverW; 3]) {
+        (Bent { texel_box, between: self.between(&texel_box) }, texel_box.over_w(texels, q))
+    }
+
+    /// Whether a triangle may be affine: its texels are moved as far as that takes.
+    #[inline(never)]
+    fn may_be_affine(
         self,
         texel_box: &TexelBox,
-        texels: [[Attribute; 2]; 3],
-        parts: [[u32; 2]; 3],
+        texels: &mut [[Attribute; 2]; 3],
         [qa, qb, qc]: [i32; 3],
         sizes_log2: [u8; 2],
-    ) -> Option<[[i32; 2]; 3]> {
-        let texels = texels.map(|texel| texel.map(Attribute::to_bits));
+    ) -> bool {
         let span_log2 = texel_box.span_log2;
         if (qa == qb && qb == qc) || self.error >> span_log2 >= 1 << 16 {
-            return Some(texels);
+            return true;
         }
         // All in 15 fraction bits: 1/w, and parts of the box.
-        let [qa, qb, qc] = [qa, qb, qc].map(|q| q >> 16);
+        let [qa, qb, qc] = [qa >> 16, qb >> 16, qc >> 16];
         let (least, most) = (qa.min(qb).min(qc), qa.max(qb).max(qc));
         // Three times the least and the middle one: what is least of an edge's greater and three times its lesser.
         let edge = (2 * least + qa + qb + qc - most).cast_unsigned();
@@ -187,18 +187,24 @@ impl Within {
         let error = self.error.saturating_sub((self.error >> 12) + 2);
         let eighth = if span_log2 < 2 { error << (2 - span_log2) } else { error >> (span_log2 - 2) };
         let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
-        let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
+        // Most small triangles: no edge has more of either.
+        if bend.bears((most - least).unsigned_abs() << 15) {
+            return true;
+        }
+        let [a, b, c] = texel_box.parts(*texels).map(|part| part.map(|part| (part >> 16).cast_signed()));
         let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
         let along = |a: i32, b: i32, c: i32| {
             let edges = [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
             let [d, e, f] = edges;
             [d.max(e).max(f).max(0), d.min(e).min(f).min(0)]
         };
-        let ([a, b, c], [width, height]) = (texels, sizes_log2);
-        let u = bend.moved([a[0], b[0], c[0]], along(au, bu, cu), width)?;
-        let v = bend.moved([a[1], b[1], c[1]], along(av, bv, cv), height)?;
+        let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
+        let [width, height] = sizes_log2;
+        let Some(u) = bend.moved([a[0], b[0], c[0]], along(au, bu, cu), width) else { return false };
+        let Some(v) = bend.moved([a[1], b[1], c[1]], along(av, bv, cv), height) else { return false };
         let ([au, bu, cu], [av, bv, cv]) = (u, v);
-        Some([[au, av], [bu, bv], [cu, cv]])
+        *texels = [[au, av], [bu, bv], [cu, cv]].map(|texel| texel.map(Attribute::from_bits));
+        true
     }
 
     /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; 2^-16 of U
@@ -223,12 +229,18 @@ struct Bend {
 const ROUNDING: u32 = 3 << 16;
 
 impl Bend {
+    /// Whether texels may stay where they are, if no edge is bent by more.
+    #[inline(always)]
+    fn bears(&self, edge: u32) -> bool {
+        2 * edge + ROUNDING <= self.allowed
+    }
+
     /// The texels of three vertices on an axis, moved as far as it needs, if that is enough; `most` and `least` are the ends
     /// of what perspective makes of its edges.
     #[inline(always)]
     fn moved(&self, texels: [i32; 3], [most, least]: [i32; 2], size_log2: u8) -> Option<[i32; 3]> {
         let (above, below) = (most.unsigned_abs(), least.unsigned_abs());
-        if 2 * above.max(below) + ROUNDING <= self.allowed {
+        if self.bears(above.max(below)) {
             return Some(texels);
         }
         if above + below + ROUNDING > self.allowed {
