@@ -10,7 +10,7 @@ pub struct Fraction(pub(crate) i32);
 
 impl Fraction {
     /// `from` at 0 and `to` at 1, rounded to nearest.
-    #[inline]
+    #[inline(never)]
     pub const fn mix(self, from: i32, to: i32) -> i32 {
         let product = (to as i64 - from as i64) * self.0 as i64;
         from.wrapping_add(((product + (1 << 29)) >> 30) as i32)

@@ -49,44 +49,39 @@ fn distances(at: &Position, projection: &Projection) -> [i64; 6] {
     [i64::from(at.z), i64::from(at.w) - i64::from(at.z), left, right, top, bottom]
 }
 
-/// What is inside all planes that `crossed` names, in the order of the triangle.
-pub(crate) fn clip(
-    triangle: [ClipVertex; 3],
+/// What of the triangle in the first of two places is inside all planes that `crossed` names, in the triangle's order: in
+/// either of them, as each plane cuts from one into the other.
+pub(crate) fn clip<'p>(
     crossed: Outcode,
     projection: &Projection,
     mix: Mix<'_>,
-) -> Polygon {
-    let mut polygon = Polygon::new();
-    // Nine places hold three vertices, and each plane adds at most one to a convex polygon: `push` cannot fail.
-    let _ = polygon.extend_from_slice(&triangle);
+    [polygon, kept]: &'p mut [Polygon; 2],
+) -> &'p Polygon {
+    let (mut polygon, mut kept) = (polygon, kept);
     for plane in 0..6 {
         if crossed.0 >> plane & 1 != 0 {
             let distance = |vertex: &ClipVertex| {
                 distances(&vertex.position, projection).get(plane).copied().unwrap_or_default()
             };
-            polygon = cut(&polygon, distance, mix);
+            cut(polygon, distance, mix, kept);
+            core::mem::swap(&mut polygon, &mut kept);
         }
     }
     polygon
 }
 
-/// The same polygon, its least vertex by `key` first: a fan from there is the same whichever vertex the polygon was
-/// found from, and whichever way round.
-pub(crate) fn from_least<K: Ord>(polygon: &Polygon, key: impl Fn(&ClipVertex) -> K) -> Polygon {
-    let least =
-        polygon.iter().enumerate().min_by_key(|(_, vertex)| key(vertex)).map_or(0, |(place, _)| place);
-    let mut turned = Polygon::new();
-    let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
-    for vertex in from.iter().chain(before) {
-        let _ = turned.push(*vertex);
-    }
-    turned
+/// The place of the least vertex by `key`: a fan from there is the same whichever vertex the polygon was found from, and
+/// whichever way round.
+pub(crate) fn least<K: Ord>(polygon: &Polygon, key: impl Fn(usize, &ClipVertex) -> K) -> usize {
+    let least = polygon.iter().enumerate().min_by_key(|&(place, vertex)| key(place, vertex));
+    least.map_or(0, |(place, _)| place)
 }
 
-/// The part of a polygon where `distance` is not negative.
-fn cut(polygon: &Polygon, distance: impl Fn(&ClipVertex) -> i64, mix: Mix<'_>) -> Polygon {
-    let mut kept = Polygon::new();
-    let Some(mut previous) = polygon.last() else { return kept };
+/// The part of a polygon where `distance` is not negative, as `kept`. Each plane adds at most one vertex to a convex
+/// polygon: with three at first, `push` cannot fail.
+fn cut(polygon: &Polygon, distance: impl Fn(&ClipVertex) -> i64, mix: Mix<'_>, kept: &mut Polygon) {
+    kept.clear();
+    let Some(mut previous) = polygon.last() else { return };
     let mut before = distance(previous);
     for vertex in polygon {
         let here = distance(vertex);
@@ -103,7 +98,6 @@ fn cut(polygon: &Polygon, distance: impl Fn(&ClipVertex) -> i64, mix: Mix<'_>) -
         }
         (previous, before) = (vertex, here);
     }
-    kept
 }
 
 /// Where the edge from `inside` to `outside` crosses the plane.
@@ -116,11 +110,7 @@ fn crossing(
 ) -> ClipVertex {
     let whole = distance_inside.abs_diff(distance_outside);
     let part = distance_inside.unsigned_abs();
-    // 30 fraction bits. Only here is a 64-bit division worth its price: few triangles are clipped.
-    let spare = whole.leading_zeros();
-    let (part, whole) =
-        if spare < 31 { (part >> (31 - spare), whole >> (31 - spare)) } else { (part, whole) };
-    let at = Fraction((part << 30).checked_div(whole).unwrap_or_default().min(1 << 30) as i32);
+    let at = fraction(part, whole);
     let (from, to) = (inside.position, outside.position);
     ClipVertex {
         position: Position {
@@ -130,5 +120,48 @@ fn crossing(
             w: at.mix(from.w, to.w),
         },
         carried: mix(&inside.carried, &outside.carried, at),
+    }
+}
+
+/// `part / whole` of the 33 leading bits of both, rounded down: at most 1.
+///
+/// Bit by bit: few triangles are clipped, and a division of 64 bits would take a kilobyte of code.
+fn fraction(part: u64, whole: u64) -> Fraction {
+    let spare = whole.leading_zeros();
+    let (mut rest, whole) =
+        if spare < 31 { (part >> (31 - spare), whole >> (31 - spare)) } else { (part, whole) };
+    if rest >= whole {
+        return Fraction(if whole == 0 { 0 } else { 1 << 30 });
+    }
+    let mut bits = 0;
+    for _ in 0..30 {
+        (rest, bits) = (rest << 1, bits << 1);
+        if rest >= whole {
+            (rest, bits) = (rest - whole, bits | 1);
+        }
+    }
+    Fraction(bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a bit is missing, or what is cut off before the division is not.
+    #[test]
+    fn a_fraction_is_a_quotient_rounded_down() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state ^ state >> 32
+        };
+        for round in 0..100_000 {
+            let whole = random() >> (round % 64);
+            let part = random().checked_rem(whole.saturating_add(1)).unwrap_or_default();
+            let down = 31_u32.saturating_sub(whole.leading_zeros());
+            let exact = (u128::from(part >> down) << 30).checked_div(u128::from(whole >> down));
+            assert_eq!(fraction(part, whole).0 as u128, exact.unwrap_or_default(), "{part} / {whole}");
+        }
+        assert_eq!([fraction(0, 0), fraction(7, 7), fraction(0, 9)], [0, 1 << 30, 0].map(Fraction));
     }
 }

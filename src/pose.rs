@@ -4,6 +4,7 @@ use fixed::types::I2F30;
 
 use crate::math::format::Length;
 use crate::math::matrix::Matrix;
+use crate::math::product;
 use crate::math::turn::Turn;
 
 /// Where a mesh stands in the scene: turned and scaled about the scene's origin, then moved. No float is involved.
@@ -78,8 +79,8 @@ impl Pose {
 
     /// Where a point of the mesh stands in the scene, rounded to nearest.
     pub fn apply(&self, point: [Length; 3]) -> [Length; 3] {
-        let scaled = point.map(|c| c.saturating_mul(self.scale));
-        let turned = self.rotation.map(|row| dot(row, scaled));
+        let point = point.map(|c| scaled(c, self.scale));
+        let turned = self.rotation.map(|row| dot(row, point));
         let [x, y, z] = turned;
         let [px, py, pz] = self.position;
         [x.saturating_add(px), y.saturating_add(py), z.saturating_add(pz)]
@@ -97,23 +98,30 @@ impl Pose {
 
     /// The matrix from the cube of a mesh, ±1, that has `half` its edge and this `centre`, to the scene.
     pub(crate) fn of_box(&self, centre: [Length; 3], half: Length) -> Matrix {
-        let scale = i64::from(self.scale.saturating_mul(half).to_bits());
-        let moved = self.apply(centre).map(|c| i64::from(c.to_bits()));
-        let row = |[a, b, c]: Row, t: i64| {
+        let scale = scaled(half, self.scale).to_bits();
+        let ([x, y, z], [r0, r1, r2]) = (self.apply(centre), self.rotation);
+        let rows = [(r0, x), (r1, y), (r2, z), ([I2F30::ZERO; 3], Length::ONE)];
+        let wide = rows.map(|(row, moved)| {
             // 14 fraction bits of the rotation are dropped: 32 are left, 16 of them from the scale.
-            let scaled = |c: I2F30| ((i64::from(c.to_bits()) * scale) >> 14).clamp(-LIMIT, LIMIT);
-            [scaled(a), scaled(b), scaled(c), t << 16]
-        };
-        let [r0, r1, r2] = self.rotation;
-        let [x, y, z] = moved;
-        Matrix::normalised([row(r0, x), row(r1, y), row(r2, z), [0, 0, 0, 1 << 32]], 32)
+            let [a, b, c] = row.map(|c| product::signed(c.to_bits(), scale) >> 14);
+            [a, b, c, i64::from(moved.to_bits()) << 16]
+        });
+        Matrix::normalised(wide, 32)
     }
 }
 
-/// Keeps sums of a few elements inside an `i64`.
-const LIMIT: i64 = 1 << 60;
-
 type Row = [I2F30; 3];
+
+/// A length times the pose's scale, rounded down.
+#[inline(never)]
+fn scaled(length: Length, scale: Length) -> Length {
+    length_of(product::signed(length.to_bits(), scale.to_bits()) >> 16)
+}
+
+/// A number of steps as a length, or the nearest length.
+fn length_of(steps: i64) -> Length {
+    Length::from_bits(steps.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32)
+}
 
 /// Two rows of a rotation, turned from the first towards the second; rounded to nearest.
 fn rotated(turn: Turn, from: Row, to: Row) -> (Row, Row) {
@@ -127,10 +135,15 @@ fn rotated(turn: Turn, from: Row, to: Row) -> (Row, Row) {
     (mix(cos, -sin), mix(sin, cos))
 }
 
-fn dot([a, b, c]: Row, [x, y, z]: [Length; 3]) -> Length {
-    let product = |r: I2F30, v: Length| i128::from(r.to_bits()) * i128::from(v.to_bits());
-    let sum = (product(a, x) + product(b, y) + product(c, z) + (1 << 29)) >> 30;
-    Length::from_bits(sum.clamp(i128::from(i32::MIN), i128::from(i32::MAX)) as i32)
+/// Rounded to nearest. Of each product, a step of the result and what is below it are added up apart: neither sum wraps.
+fn dot(row: Row, vector: [Length; 3]) -> Length {
+    let (mut steps, mut below) = (0, 1 << 29);
+    for (r, v) in row.into_iter().zip(vector) {
+        let product = product::signed(r.to_bits(), v.to_bits());
+        steps += product >> 30;
+        below += product as u32 & ((1 << 30) - 1);
+    }
+    length_of(steps + i64::from(below >> 30))
 }
 
 impl Default for Pose {

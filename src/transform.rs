@@ -8,7 +8,6 @@
 //! to 2^-17 of the scene's unit.
 
 use crate::attributes::Words;
-use crate::camera::Camera;
 use crate::math::format::{Clip, SUBPIXEL_BITS};
 use crate::math::matrix::Matrix;
 use crate::math::product;
@@ -16,7 +15,7 @@ use crate::math::recip::{self, Reciprocal};
 use crate::mesh::Mesh;
 use crate::pose::Pose;
 use crate::snapped::Snapped;
-use crate::viewport::{TooLarge, Viewport};
+use crate::viewport::Viewport;
 
 /// A homogeneous position. x and y count from the centre of the viewport, in units of the projection's reach: a power
 /// of two of pixels.
@@ -38,27 +37,15 @@ pub(crate) struct Transform {
 }
 
 impl Transform {
-    /// # Errors
-    /// The camera's target is too large.
-    pub(crate) fn new<C: Camera>(camera: &C, mesh: &Mesh<'_>, pose: &Pose) -> Result<Self, TooLarge> {
-        Ok(Self::through(camera.viewport()?, camera.matrix(), mesh, pose))
-    }
-
-    /// Whatever camera it is, this is linked once.
+    /// Through a camera's viewport and matrix: whatever camera it is, this is linked once.
     #[inline(never)]
-    fn through(viewport: Viewport, matrix: &Matrix, mesh: &Mesh<'_>, pose: &Pose) -> Self {
+    pub(crate) fn new(viewport: Viewport, matrix: &Matrix, mesh: &Mesh<'_>, pose: &Pose) -> Self {
         let projection = Projection::centred(viewport);
         let whole = matrix.times(&pose.of_box(mesh.centre(), mesh.half()));
         // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
-        let mut rows = [0, 1, 2, 3].map(|row| whole.row(row).map(i64::from));
-        let [x, y, ..] = &mut rows;
         let reach = projection.reach_log2 + 1;
-        for element in x {
-            *element = (*element * i64::from(viewport.width())) >> reach;
-        }
-        for element in y {
-            *element = (-*element * i64::from(viewport.height())) >> reach;
-        }
+        let rows = [(0, viewport.width()), (1, -viewport.height()), (2, 1 << reach), (3, 1 << reach)]
+            .map(|(row, factor)| whole.row(row).map(|element| product::signed(element, factor) >> reach));
         // The largest coordinate in the mesh's cube decides the power of two: 30 bits of it are kept.
         let largest = rows
             .iter()
@@ -91,14 +78,15 @@ impl Transform {
 
     /// Whether a box of positions lies outside one plane of the view as a whole.
     pub(crate) fn misses(&self, [low, high]: [[i16; 3]; 2]) -> bool {
-        let [x, y, z, w] = self.rows.map(|row| row.map(i64::from));
-        let (halves_x, halves_y) = self.projection.view_halves();
-        let reach = self.projection.reach_log2 + 1;
+        let [x, y, z, w] = &self.rows;
+        let viewport = &self.projection.viewport;
+        let (width, height) = (i64::from(viewport.width()), i64::from(viewport.height()));
+        let reach = 2 << self.projection.reach_log2;
         // Each plane as a sum `a x + b w` that is negative outside, in the best corner of the box.
-        let outside = |row: [i64; 4], by: i64, size: i64| {
+        let outside = |row: &[i32; 4], by: i64, size: i64| {
             let mut best = 0;
-            for (axis, (&r, &w)) in row.iter().zip(&w).enumerate() {
-                let slope = r * by + w * size;
+            for (axis, (&r, &w)) in row.iter().zip(w).enumerate() {
+                let slope = i64::from(r) * by + i64::from(w) * size;
                 best += match (low.get(axis), high.get(axis)) {
                     (Some(&low), Some(&high)) => {
                         (slope >> 16) * i64::from(if slope < 0 { low } else { high })
@@ -111,10 +99,10 @@ impl Transform {
         };
         outside(z, 1, 0)
             || outside(z, -1, 1)
-            || outside(x, 1 << reach, halves_x)
-            || outside(x, -(1 << reach), halves_x)
-            || outside(y, 1 << reach, halves_y)
-            || outside(y, -(1 << reach), halves_y)
+            || outside(x, reach, width)
+            || outside(x, -reach, width)
+            || outside(y, reach, height)
+            || outside(y, -reach, height)
     }
 }
 
@@ -199,11 +187,6 @@ impl Projection {
     /// For flat drawings: x and y are pixels, w is one.
     pub(crate) fn of_pixels(viewport: Viewport) -> Self {
         Self { viewport, centre: [0, 0], reach_log2: 0, roomy: false }
-    }
-
-    /// Twice the distance from the centre to the viewport's edges, in pixels.
-    fn view_halves(&self) -> (i64, i64) {
-        (i64::from(self.viewport.width()), i64::from(self.viewport.height()))
     }
 
     /// Whether a position is easily seen to be inside the guard rectangle: most are.

@@ -5,7 +5,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 use crate::attributes::{Words, carried, mixed};
-use crate::clip::{ClipVertex, Outcode, clip, from_least};
+use crate::clip::{ClipVertex, Outcode, Polygon, clip, least};
 use crate::depth::NoDepth;
 use crate::math::format::{Attribute, SUBPIXELS};
 use crate::pipeline::{self, Vertices};
@@ -115,20 +115,25 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     let bounds = target.bounding_box();
     let projection = Projection::of_pixels(Viewport::largest(bounds.size));
     let ([a, b, c], [p, q, r]) = (points.map(position), attributes.map(carried));
-    let corners = [(a, p), (b, q), (c, r)].map(|(position, carried)| ClipVertex { position, carried });
     let codes = [a, b, c].map(|at| Outcode::new(&at, &projection).0);
     let [d, e, f] = codes;
     if d & e & f != 0 {
         return Ok(());
     }
     let snap = |vertex: &ClipVertex| projection.project(&vertex.position, Projection::inverse(ONE));
-    let polygon = clip(corners, Outcode(d | e | f), &projection, &mixed::<S::Vertex>);
-    let polygon = from_least(&polygon, |vertex| {
-        let at = vertex.position;
-        (snap(vertex).order(), at.x, at.y)
+    let mut places = [Polygon::new(), Polygon::new()];
+    let [triangle, _] = &mut places;
+    for (position, carried) in [(a, p), (b, q), (c, r)] {
+        let _ = triangle.push(ClipVertex { position, carried });
+    }
+    let polygon = clip(Outcode(d | e | f), &projection, &mixed::<S::Vertex>, &mut places);
+    let least = least(polygon, |_, vertex| {
+        let (at, (y, x)) = (vertex.position, snap(vertex).order());
+        [y, x, at.x, at.y]
     });
+    let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
     let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
-    let mut fan = polygon.iter();
+    let mut fan = from.iter().chain(before);
     let (Some(first), Some(second)) = (fan.next(), fan.next()) else { return Ok(()) };
     let area = |middle, last| area2(snap(first), snap(middle), snap(last));
     // Which way round all of it is. Snapped, a polygon can be dented by a step.

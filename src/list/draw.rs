@@ -2,21 +2,20 @@
 
 use core::marker::PhantomData;
 
+use super::drawing::{Drawing, Layout, Shaded, UNSEEN};
 use super::render::{self, stride};
 use super::{DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
-use crate::attributes::{Carried, Fraction, Words, carried, mixed};
 use crate::camera::Camera;
-use crate::clip::{ClipVertex, Outcode, Polygon, clip, from_least};
+use crate::clip::{Outcode, Polygon, least};
 use crate::depth::Depth;
 use crate::math::format::Coord;
-use crate::math::recip::Reciprocal;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
 use crate::raster::Traversal;
 use crate::setup::{area2, canonical};
 use crate::shade::{PixelShader, Shader};
 use crate::snapped::{Snapped, first_centre};
-use crate::transform::{PerVertexInverse, Position, Projection, Transform};
+use crate::transform::Transform;
 
 impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     /// Draws a mesh into the list: its vertices to the screen, its faces culled, clipped and put in order.
@@ -31,7 +30,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         pose: &Pose,
         shader: &S,
     ) -> Result<(), DrawError> {
-        let transform = Transform::new(camera, mesh, pose)?;
+        let viewport = camera.viewport()?;
+        let transform = Transform::new(viewport, camera.matrix(), mesh, pose);
         let faces = mesh.faces().len();
         if faces == 0 || transform.misses(mesh.bounds()) {
             self.stats.faces += faces;
@@ -40,12 +40,11 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         }
         let before = self.used_words;
         let (kept, base) = self.keep::<S::Pixel>(&shader.pixel(), mesh.positions().len())?;
-        let viewport = transform.projection.viewport;
         self.size = [viewport.width(), viewport.height()];
         self.stats.faces += faces;
         let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
         let drawing = Drawing::<D> {
-            transform,
+            transform: &transform,
             mesh,
             shaded: &shaded,
             layout: Layout::of::<C, P, D, S::Pixel>(),
@@ -131,6 +130,12 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         }
     }
 
+    /// Where a vertex that is inside all planes lies.
+    fn point(&self, drawing: &Drawing<'_, D>, vertex: usize) -> Snapped {
+        let [x, y] = self.header(drawing.word(vertex));
+        Snapped::from_bits(x.cast_signed(), y.cast_signed())
+    }
+
     /// Adds a triangle of three vertices of the list, unless it is culled or touches no pixel centre of the viewport.
     fn face(
         &mut self,
@@ -156,9 +161,10 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             left_out.triangles += 1;
             return;
         };
-        let order = canonical(points);
+        let [i, j, k] = canonical(points);
+        let named = |i: usize| vertices.get(i).copied().unwrap_or_default() as u16;
         *place = ListTriangle {
-            vertices: order.map(|i| vertices.get(i).copied().unwrap_or_default() as u16),
+            vertices: [named(i), named(j), named(k)],
             shader: drawing.kept,
             colour: drawing.shaded.face(face),
             rows: [top, bottom],
@@ -167,7 +173,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         self.stats.drawn += 1;
     }
 
-    /// Clips a face, and adds the polygon that is left of it as a fan from its least vertex.
+    /// Clips a face, and adds the polygon that is left of it as a fan from its least vertex. Apart, as few faces are.
+    #[inline(never)]
     fn clipped(
         &mut self,
         drawing: &Drawing<'_, D>,
@@ -176,7 +183,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         planes: Outcode,
         left_out: &mut LeftOut,
     ) {
-        let polygon = drawing.polygon(corners, planes);
+        let mut places = [Polygon::new(), Polygon::new()];
+        let polygon = drawing.polygon(corners, planes, &mut places);
         let stride = drawing.layout.stride;
         let start = self.used_words;
         let first = (start - drawing.base).checked_div(stride).unwrap_or_default();
@@ -186,19 +194,17 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             left_out.words += words;
             return;
         }
-        let mut words = self.words.get_mut(start..).unwrap_or_default();
-        for vertex in &polygon {
-            let Some((here, rest)) = words.split_at_mut_checked(stride) else { break };
-            drawing.store(here, &vertex.position, &vertex.carried);
-            words = rest;
-        }
+        // Where vertices lie says which of them is least: by row, then column, then by all else that tells them apart.
+        drawing.store_from(0, polygon, self.words.get_mut(start..).unwrap_or_default());
+        let least = least(polygon, |place, vertex| {
+            let (at, (y, x)) = (vertex.position, self.point(drawing, first + place).order());
+            [y, x, at.w, at.z, at.x, at.y]
+        });
+        drawing.store_from(least, polygon, self.words.get_mut(start..).unwrap_or_default());
         for last in 2..polygon.len() {
-            let vertices = [0, last - 1, last].map(|place| first + place);
-            let points = vertices.map(|vertex| {
-                let [x, y] = self.header(drawing.word(vertex));
-                Snapped::from_bits(x.cast_signed(), y.cast_signed())
-            });
-            self.face(drawing, face, vertices, points, left_out);
+            let [a, b, c] = [first, first + last - 1, first + last];
+            let points = [self.point(drawing, a), self.point(drawing, b), self.point(drawing, c)];
+            self.face(drawing, face, [a, b, c], points, left_out);
         }
     }
 }
@@ -227,9 +233,6 @@ impl LeftOut {
     }
 }
 
-/// The first word of a vertex that lies outside some plane: the second names the planes.
-const UNSEEN: u32 = 1 << 31;
-
 /// What the headers of three vertices say of their face.
 enum Seen {
     Outside,
@@ -248,142 +251,5 @@ fn seen(a: [u32; 2], b: [u32; 2], c: [u32; 2]) -> Seen {
         Seen::Whole([point(a), point(b), point(c)])
     } else {
         Seen::Crossing(Outcode(p | q | r))
-    }
-}
-
-/// The vertex half of a shader over a mesh.
-trait VertexShader {
-    /// What a vertex carries.
-    fn vertex(&self, vertex: usize) -> Carried;
-
-    /// What a vertex between two others carries.
-    fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried;
-
-    /// The colour of a face.
-    fn face(&self, face: usize) -> [u8; 3];
-}
-
-/// A shader's vertex half, with what it computes once a mesh.
-struct Shaded<'m, 'a, S: Shader<'a, P>, P> {
-    mesh: &'m Mesh<'m>,
-    shader: &'m S,
-    local: S::Local,
-    types: PhantomData<(&'a (), P)>,
-}
-
-impl<'a, S: Shader<'a, P>, P> VertexShader for Shaded<'_, 'a, S, P> {
-    fn vertex(&self, vertex: usize) -> Carried {
-        carried(self.shader.vertex(&self.local, self.mesh, vertex))
-    }
-
-    fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried {
-        mixed::<<S::Pixel as PixelShader<'a, P>>::Vertex>(from, to, at)
-    }
-
-    fn face(&self, face: usize) -> [u8; 3] {
-        self.shader.face(&self.local, self.mesh, face)
-    }
-}
-
-/// What the words of a vertex are.
-#[derive(Clone, Copy)]
-struct Layout {
-    /// How many there are.
-    stride: usize,
-    /// Of these, for the shader.
-    carried: usize,
-    /// Whether 1/w is one of them.
-    inverse: bool,
-    /// Whether vertices have a w each.
-    perspective: bool,
-}
-
-impl Layout {
-    fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
-        Self {
-            stride: stride::<P, D, S>(),
-            carried: S::Vertex::WORDS,
-            inverse: S::PERSPECTIVE,
-            perspective: C::PERSPECTIVE,
-        }
-    }
-}
-
-/// One mesh on its way into the list.
-struct Drawing<'m, D> {
-    transform: Transform,
-    mesh: &'m Mesh<'m>,
-    shaded: &'m dyn VertexShader,
-    layout: Layout,
-    /// Where the pixel shader is kept.
-    kept: u8,
-    /// The first word of that shader's vertices.
-    base: usize,
-    types: PhantomData<D>,
-}
-
-impl<D: Depth> Drawing<'_, D> {
-    /// Where a vertex of the shader starts.
-    fn word(&self, vertex: usize) -> usize {
-        self.base + vertex * self.layout.stride
-    }
-
-    /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
-    fn vertices(&self, mut words: &mut [u32]) {
-        for (vertex, &position) in self.mesh.positions().iter().enumerate() {
-            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride) else { break };
-            let position = self.transform.position(position);
-            let planes = Outcode::new(&position, &self.transform.projection);
-            if planes == Outcode(0) {
-                self.store(here, &position, &self.shaded.vertex(vertex));
-            } else if let [x, y, ..] = here {
-                (*x, *y) = (UNSEEN, u32::from(planes.0));
-            }
-            words = rest;
-        }
-    }
-
-    /// Writes a vertex that is inside all planes.
-    fn store(&self, words: &mut [u32], position: &Position, carried: &Carried) {
-        let inverse = self.inverse(position);
-        let (x, y) = self.transform.projection.project(position, inverse).bits();
-        let mut words = words.iter_mut();
-        let mut put = |word: u32| {
-            if let Some(place) = words.next() {
-                *place = word;
-            }
-        };
-        put(x.cast_unsigned());
-        put(y.cast_unsigned());
-        D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
-        if self.layout.inverse {
-            PerVertexInverse::new(inverse).store(&mut put);
-        }
-        for &word in carried.iter().take(self.layout.carried) {
-            put(word);
-        }
-    }
-
-    /// One over w, which all vertices share where there is no perspective.
-    #[inline]
-    fn inverse(&self, position: &Position) -> Reciprocal {
-        if self.layout.perspective { Projection::inverse(position.w) } else { self.transform.level_inverse }
-    }
-
-    /// What is left of a face inside the planes, in canonical order: its least vertex first, by row, then column, then
-    /// by all else that tells vertices apart, so that the fan is the same whichever vertex the face starts with.
-    fn polygon(&self, corners: [u16; 3], planes: Outcode) -> Polygon {
-        let projection = &self.transform.projection;
-        let corner = |corner: u16| {
-            let vertex = usize::from(corner);
-            let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
-            ClipVertex { position: self.transform.position(position), carried: self.shaded.vertex(vertex) }
-        };
-        let mix = |from: &Carried, to: &Carried, at| self.shaded.mix(from, to, at);
-        let polygon = clip(corners.map(corner), planes, projection, &mix);
-        from_least(&polygon, |vertex| {
-            let at = vertex.position;
-            (projection.project(&at, self.inverse(&at)).order(), at.w, at.z, at.x, at.y)
-        })
     }
 }

@@ -13,6 +13,7 @@ use crate::target::Rows;
 use crate::viewport::TooLarge;
 
 mod draw;
+mod drawing;
 mod render;
 mod storage;
 

@@ -1,6 +1,7 @@
 //! Matrices as integer mantissas that share one power of two.
 
 use super::format::Length;
+use super::product;
 
 /// A 4x4 matrix for column vectors: integers of up to 30 bits that share one exponent, so nothing is lost when a
 /// small mesh stands far away.
@@ -56,23 +57,16 @@ impl Matrix {
     /// The matrix that does `other` first and then this.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
-        let [b0, b1, b2, b3] = other.rows;
-        let rows = self.rows.map(|[a0, a1, a2, a3]| {
-            let column = |[p, q, r, s]: [i32; 4]| {
-                // Mantissas have at most 30 bits and a sign: four products fit.
-                i64::from(a0) * i64::from(p)
-                    + i64::from(a1) * i64::from(q)
-                    + i64::from(a2) * i64::from(r)
-                    + i64::from(a3) * i64::from(s)
-            };
+        let [p, q, r, s] = other.rows;
+        let wide = self.rows.map(|row| {
             [
-                column([b0[0], b1[0], b2[0], b3[0]]),
-                column([b0[1], b1[1], b2[1], b3[1]]),
-                column([b0[2], b1[2], b2[2], b3[2]]),
-                column([b0[3], b1[3], b2[3], b3[3]]),
+                dot(&row, [p[0], q[0], r[0], s[0]]),
+                dot(&row, [p[1], q[1], r[1], s[1]]),
+                dot(&row, [p[2], q[2], r[2], s[2]]),
+                dot(&row, [p[3], q[3], r[3], s[3]]),
             ]
         });
-        Self::normalised(rows, self.exponent.saturating_add(other.exponent))
+        Self::normalised(wide, self.exponent.saturating_add(other.exponent))
     }
 
     /// Rounds wide elements so that the largest has 30 bits.
@@ -95,6 +89,12 @@ impl Matrix {
         }
         Self { rows, exponent: exponent.saturating_add(shift) }
     }
+}
+
+/// A row times a column. Mantissas have at most 30 bits and a sign: four products fit.
+#[inline(never)]
+fn dot(row: &[i32; 4], column: [i32; 4]) -> i64 {
+    row.iter().zip(column).map(|(&a, b)| product::signed(a, b)).sum()
 }
 
 /// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1).

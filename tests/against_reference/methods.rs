@@ -1,11 +1,11 @@
 //! The methods between linear texels and a reciprocal a pixel, against exact perspective.
 
 use reference::varying::{linear, perspective};
-use topleft::stages::{Correction, Varying};
+use topleft::stages::Correction;
 use topleft::{Attribute, Divided, PerPixel, Portable, Subspans, Within};
 
 use crate::measured::{Errors, Row, hold};
-use crate::probe::{Covered, outside, range, sampled, texels_of};
+use crate::probe::{Covered, outside, range, sampled};
 use crate::random::{Kind, Random};
 use crate::texels::{SIZES, distances, inverse, texel_box};
 use crate::tolerance::{DIVIDED, RECIPROCAL, per_pixel, subspan, within};
@@ -43,6 +43,11 @@ impl Case {
         linear(self.covered.triangle, self.q, x.into(), y.into()) * self.of_q
     }
 
+    /// The texels of each span.
+    fn shown(&self, method: impl Correction) -> Vec<Vec<[i32; 2]>> {
+        self.covered.texels(method, self.texels, self.w.map(inverse), SIZES)
+    }
+
     /// What an exact texel may be off, in units of its box.
     fn ends(&self, x: i32, y: i32) -> f64 {
         per_pixel(self.covered.steps(x, y), self.q(x, y))
@@ -56,13 +61,7 @@ impl Case {
         random: &mut Random,
         bound: impl Fn(&topleft::stages::Span, i32, usize) -> f64,
     ) {
-        let (shared, varyings) = method.triangle(self.texels, self.w.map(inverse), SIZES);
-        let gradients = self.covered.setup.gradients();
-        let plane = C::Varying::plane(&gradients, varyings);
-        let [ax, ay] = gradients.anchor();
-        for span in &self.covered.spans {
-            let start = plane.at(span.start - ax, span.y - ay);
-            let shown = texels_of(method, &shared, start, &plane.dx, span.end - span.start);
+        for (span, shown) in self.covered.spans.iter().zip(self.shown(method)) {
             for x in sampled(span, random) {
                 for (axis, texel) in shown[(x - span.start) as usize].into_iter().enumerate() {
                     let wanted = self.wanted(x, span.y, axis);
@@ -182,34 +181,10 @@ fn none_is_exact_and_any_is_affine() {
     let mut random = Random::new(23);
     for _ in 0..200 {
         let case = Case::new(Kind::Ordinary, 8.0, 255.0, &mut random);
-        let shown = |method: Within| {
-            let (shared, varyings) = method.triangle(case.texels, case.w.map(inverse), SIZES);
-            drawn(method, &shared, varyings, &case.covered)
-        };
-        let (box_, varyings) = PerPixel.triangle(case.texels, case.w.map(inverse), SIZES);
-        let exact = drawn(PerPixel, &box_, varyings, &case.covered);
-        let affine = drawn(topleft::Affine, &(), case.texels, &case.covered);
+        let [exact, affine] = [case.shown(PerPixel), case.shown(topleft::Affine)];
         for none in [Attribute::ZERO, Attribute::from_bits(-1), Attribute::MIN] {
-            assert_eq!(shown(Within::texels(none)), exact);
+            assert_eq!(case.shown(Within::texels(none)), exact);
         }
-        assert_eq!(shown(Within::texels(Attribute::MAX)), affine);
+        assert_eq!(case.shown(Within::texels(Attribute::MAX)), affine);
     }
-}
-
-fn drawn<C: Correction>(
-    method: C,
-    shared: &C::Triangle,
-    varyings: [C::Varying; 3],
-    covered: &Covered,
-) -> Vec<[i32; 2]> {
-    let gradients = covered.setup.gradients();
-    let plane = C::Varying::plane(&gradients, varyings);
-    let [ax, ay] = gradients.anchor();
-    let spans = covered.spans.iter();
-    spans
-        .flat_map(|span| {
-            let start = plane.at(span.start - ax, span.y - ay);
-            texels_of(method, shared, start, &plane.dx, span.end - span.start)
-        })
-        .collect()
 }

@@ -5,7 +5,8 @@ use reference::matrix::Matrix;
 use reference::setup::Triangle;
 use reference::varying::linear;
 use topleft::stages::{
-    Correction, PerVertexInverse, PixelShader, Run, Setup, Shader, Snapped, Span, Traversal, Uniforms, Window,
+    Correction, DrawTexels, PerVertexInverse, PixelShader, Run, Setup, Shader, Snapped, Span, Traversal,
+    Uniforms, Varying, Window,
 };
 use topleft::{Attribute, Depth, Length, MatrixCamera, Mesh, Pixel, Pose, Spans};
 
@@ -49,6 +50,39 @@ pub(crate) fn texels_of<C: Correction>(
     let mut run = vec![[0; 2]; pixels as usize];
     method.walk(triangle, start, step, &mut run, &mut |texel: &mut [i32; 2], u, v| *texel = [u, v]);
     run
+}
+
+impl Covered {
+    /// The texels of each span, as a method draws them, or what it hands the triangle to.
+    pub(crate) fn texels(
+        &self,
+        method: impl Correction,
+        texels: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        sizes_log2: [u8; 2],
+    ) -> Vec<Vec<[i32; 2]>> {
+        method.choose(texels, inverses, sizes_log2, self)
+    }
+}
+
+impl DrawTexels for &Covered {
+    type Output = Vec<Vec<[i32; 2]>>;
+
+    fn draw<C: Correction>(
+        self,
+        method: C,
+        triangle: C::Triangle,
+        varyings: [C::Varying; 3],
+    ) -> Self::Output {
+        let gradients = self.setup.gradients();
+        let plane = C::Varying::plane(&gradients, varyings);
+        let [ax, ay] = gradients.anchor();
+        let shown = |span: &Span| {
+            let start = plane.at(span.start - ax, span.y - ay);
+            texels_of(method, &triangle, start, &plane.dx, span.end - span.start)
+        };
+        self.spans.iter().map(shown).collect()
+    }
 }
 
 /// The ends of a span and a place or two inside.

@@ -57,17 +57,12 @@ fn errors<C: Correction>(correction: C, kind: Kind, ratio: f64, size: f64, count
             [(); 2].map(|()| Attribute::from_bits(((random.unit() - 0.5) * size * 65_536.0) as i32))
         });
         let exact = texels.map(|texel| texel.map(|c| f64::from(c.to_bits()) / 65_536.0));
-        let (shared, varyings) = correction.triangle(texels, w.map(inverse), SIZES);
-        let gradients = covered.setup.gradients();
-        let plane = C::Varying::plane(&gradients, varyings);
-        let [ax, ay] = gradients.anchor();
         let q = w.map(|w| 1.0 / f64::from(w));
         // 1/w as a share of the power of two at or above the largest.
         let unit = f64::from(1_u32 << w.into_iter().min().unwrap().ilog2());
         let u = texel_box(exact);
-        for span in &covered.spans {
-            let start = plane.at(span.start - ax, span.y - ay);
-            let shown = texels_of(correction, &shared, start, &plane.dx, span.end - span.start);
+        let shown = covered.texels(correction, texels, w.map(inverse), SIZES);
+        for (span, shown) in covered.spans.iter().zip(shown) {
             for x in sampled(span, &mut random) {
                 let (column, row) = (i64::from(x), i64::from(span.y));
                 let steps = covered.steps(x, span.y);

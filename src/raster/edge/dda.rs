@@ -23,7 +23,7 @@ impl Edge for Dda {
     const INSIDE: bool = false;
 
     /// The edge from its upper to its lower end, at `row`. Nothing where it is level: it crosses no row.
-    #[inline]
+    #[inline(never)]
     fn new(upper: Snapped, lower: Snapped, row: i32) -> Self {
         let ((x, y), (lower_x, lower_y)) = (upper.bits(), lower.bits());
         // A level edge has no rows: any height does.

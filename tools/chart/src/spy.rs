@@ -7,10 +7,12 @@ use embedded_graphics_core::geometry::Size;
 use reference::setup::Triangle;
 use scenes::{Scene, View};
 use topleft::stages::{
-    Correction, DrawSpan, PerVertexInverse, PixelShader, Run, Setup, Shader, Traversal, Uniforms, Varying,
-    Window, Words,
+    Correction, DrawSpan, DrawTexels, DrawTriangle, PerVertexInverse, PixelShader, Run, Setup, Shader,
+    Traversal, Uniforms, Varying, Window, Words,
 };
-use topleft::{Attribute, Depth, Depth16, DrawList, ListTriangle, Mesh, Pixel, Pose, Spans, Strip, Textured};
+use topleft::{
+    Attribute, Depth, Depth16, DrawList, ListTriangle, Mesh, Pixel, Pose, Spans, Strip, Texture, Textured,
+};
 
 /// A triangle as the library draws it.
 #[derive(Clone, Copy, Debug)]
@@ -99,13 +101,22 @@ impl<'a, C: Correction> PixelShader<'a, Cell> for Located<'a, C> {
         vertices: [[Attribute; 2]; 3],
         inverses: [PerVertexInverse; 3],
     ) -> ((u32, C::Triangle), [C::Varying; 3]) {
-        let texels = vertices.map(|texel| texel.map(|c| f64::from(c.to_bits()) / 65_536.0));
-        let number = SEEN.with_borrow_mut(|seen| {
-            seen.push(Seen { points: NOWHERE, texels, q: inverses.map(q), pixels: 0 });
-            seen.len() as u32
-        });
+        let number = seen(vertices, inverses);
         let (triangle, varyings) = PixelShader::<u16>::triangle(&self.0, colour, vertices, inverses);
         ((number, triangle), varyings)
+    }
+
+    fn choose<D: DrawTriangle<'a, Cell>>(
+        &self,
+        _: [u8; 3],
+        vertices: [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        onto: D,
+    ) -> D::Output {
+        let Uniforms { texture, .. } = PixelShader::<Cell>::uniforms(self);
+        let onto = Onto { number: seen(vertices, inverses), texture, onto };
+        let sizes_log2 = [texture.width(), texture.height()].map(|length| length.ilog2() as u8);
+        self.1.choose(vertices, inverses, sizes_log2, onto)
     }
 
     fn shade<D: Depth>(
@@ -121,6 +132,36 @@ impl<'a, C: Correction> PixelShader<'a, Cell> for Located<'a, C> {
                 *cell = Cell { triangle: number, texel: [u, v] };
             });
         });
+    }
+}
+
+/// Remembers a triangle; its number.
+fn seen(vertices: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> u32 {
+    let texels = vertices.map(|texel| texel.map(|c| f64::from(c.to_bits()) / 65_536.0));
+    SEEN.with_borrow_mut(|seen| {
+        seen.push(Seen { points: NOWHERE, texels, q: inverses.map(q), pixels: 0 });
+        seen.len() as u32
+    })
+}
+
+/// Where a numbered triangle is drawn, by the method that was chosen for it.
+struct Onto<'a, D> {
+    number: u32,
+    texture: Texture<'a>,
+    onto: D,
+}
+
+impl<'a, D: DrawTriangle<'a, Cell>> DrawTexels for Onto<'a, D> {
+    type Output = D::Output;
+
+    fn draw<C: Correction>(
+        self,
+        method: C,
+        triangle: C::Triangle,
+        varyings: [C::Varying; 3],
+    ) -> Self::Output {
+        let Self { number, texture, onto } = self;
+        onto.draw(Located(Textured::new(&texture, method), method), (number, triangle), varyings)
     }
 }
 

@@ -1,0 +1,164 @@
+//! One mesh on its way into the list: its vertices in words, and what is left of a face that is cut.
+
+use core::marker::PhantomData;
+
+use super::render::stride;
+use crate::attributes::{Carried, Fraction, Words, carried, mixed};
+use crate::camera::Camera;
+use crate::clip::{ClipVertex, Outcode, Polygon, clip};
+use crate::depth::Depth;
+use crate::math::recip::Reciprocal;
+use crate::mesh::Mesh;
+use crate::shade::{PixelShader, Shader};
+use crate::transform::{PerVertexInverse, Position, Projection, Transform};
+
+/// The first word of a vertex that lies outside some plane: the second names the planes.
+pub(super) const UNSEEN: u32 = 1 << 31;
+
+/// The vertex half of a shader over a mesh.
+pub(super) trait VertexShader {
+    /// What a vertex carries.
+    fn vertex(&self, vertex: usize) -> Carried;
+
+    /// What a vertex between two others carries.
+    fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried;
+
+    /// The colour of a face.
+    fn face(&self, face: usize) -> [u8; 3];
+}
+
+/// A shader's vertex half, with what it computes once a mesh.
+pub(super) struct Shaded<'m, 'a, S: Shader<'a, P>, P> {
+    pub(super) mesh: &'m Mesh<'m>,
+    pub(super) shader: &'m S,
+    pub(super) local: S::Local,
+    pub(super) types: PhantomData<(&'a (), P)>,
+}
+
+impl<'a, S: Shader<'a, P>, P> VertexShader for Shaded<'_, 'a, S, P> {
+    fn vertex(&self, vertex: usize) -> Carried {
+        carried(self.shader.vertex(&self.local, self.mesh, vertex))
+    }
+
+    fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried {
+        mixed::<<S::Pixel as PixelShader<'a, P>>::Vertex>(from, to, at)
+    }
+
+    fn face(&self, face: usize) -> [u8; 3] {
+        self.shader.face(&self.local, self.mesh, face)
+    }
+}
+
+/// What the words of a vertex are.
+#[derive(Clone, Copy)]
+pub(super) struct Layout {
+    /// How many there are.
+    pub(super) stride: usize,
+    /// Of these, for the shader.
+    carried: usize,
+    /// Whether 1/w is one of them.
+    inverse: bool,
+    /// Whether vertices have a w each.
+    perspective: bool,
+}
+
+impl Layout {
+    pub(super) fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
+        Self {
+            stride: stride::<P, D, S>(),
+            carried: S::Vertex::WORDS,
+            inverse: S::PERSPECTIVE,
+            perspective: C::PERSPECTIVE,
+        }
+    }
+}
+
+/// One mesh on its way into the list.
+pub(super) struct Drawing<'m, D> {
+    pub(super) transform: &'m Transform,
+    pub(super) mesh: &'m Mesh<'m>,
+    pub(super) shaded: &'m dyn VertexShader,
+    pub(super) layout: Layout,
+    /// Where the pixel shader is kept.
+    pub(super) kept: u8,
+    /// The first word of that shader's vertices.
+    pub(super) base: usize,
+    pub(super) types: PhantomData<D>,
+}
+
+impl<D: Depth> Drawing<'_, D> {
+    /// Where a vertex of the shader starts.
+    pub(super) fn word(&self, vertex: usize) -> usize {
+        self.base + vertex * self.layout.stride
+    }
+
+    /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
+    pub(super) fn vertices(&self, mut words: &mut [u32]) {
+        for (vertex, &position) in self.mesh.positions().iter().enumerate() {
+            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride) else { break };
+            let position = self.transform.position(position);
+            let planes = Outcode::new(&position, &self.transform.projection);
+            if planes == Outcode(0) {
+                self.store(here, &position, &self.shaded.vertex(vertex));
+            } else if let [x, y, ..] = here {
+                (*x, *y) = (UNSEEN, u32::from(planes.0));
+            }
+            words = rest;
+        }
+    }
+
+    /// Writes a vertex that is inside all planes.
+    fn store(&self, words: &mut [u32], position: &Position, carried: &Carried) {
+        let inverse = self.inverse(position);
+        let (x, y) = self.transform.projection.project(position, inverse).bits();
+        let mut words = words.iter_mut();
+        let mut put = |word: u32| {
+            if let Some(place) = words.next() {
+                *place = word;
+            }
+        };
+        put(x.cast_unsigned());
+        put(y.cast_unsigned());
+        D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
+        if self.layout.inverse {
+            PerVertexInverse::new(inverse).store(&mut put);
+        }
+        for &word in carried.iter().take(self.layout.carried) {
+            put(word);
+        }
+    }
+
+    /// Writes a polygon's vertices, from one of them on.
+    #[inline(never)]
+    pub(super) fn store_from(&self, place: usize, polygon: &Polygon, mut words: &mut [u32]) {
+        let (before, from) = polygon.split_at_checked(place).unwrap_or_default();
+        for vertex in from.iter().chain(before) {
+            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride) else { break };
+            self.store(here, &vertex.position, &vertex.carried);
+            words = rest;
+        }
+    }
+
+    /// One over w, which all vertices share where there is no perspective.
+    #[inline]
+    fn inverse(&self, position: &Position) -> Reciprocal {
+        if self.layout.perspective { Projection::inverse(position.w) } else { self.transform.level_inverse }
+    }
+
+    /// What is left of a face inside the planes, in one of two places.
+    pub(super) fn polygon<'p>(
+        &self,
+        corners: [u16; 3],
+        planes: Outcode,
+        places: &'p mut [Polygon; 2],
+    ) -> &'p Polygon {
+        let [triangle, _] = &mut *places;
+        for vertex in corners.map(usize::from) {
+            let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
+            let position = self.transform.position(position);
+            let _ = triangle.push(ClipVertex { position, carried: self.shaded.vertex(vertex) });
+        }
+        let mix = |from: &Carried, to: &Carried, at| self.shaded.mix(from, to, at);
+        clip(planes, &self.transform.projection, &mix, places)
+    }
+}
