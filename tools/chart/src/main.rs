@@ -23,7 +23,9 @@ mod spy;
 mod cost;
 mod depth;
 mod host;
+mod ram;
 mod texels;
+mod within;
 
 mod figures;
 mod gather;
