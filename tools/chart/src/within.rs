@@ -10,6 +10,9 @@ const ERRORS: [(&str, f64); 5] = [("2", 2.0), ("1", 1.0), ("1/2", 0.5), ("1/4", 
 /// A core, and its cost in the texels' table.
 const CORES: [(&str, &str); 2] = [("m0plus", "m0_cycles_per_px"), ("m4", "m4_instructions_per_px")];
 
+/// What it may cost, in costs of the cheapest.
+const AT_MOST: f64 = 1.1;
+
 /// Of each scene, error and core: what `Within` costs, and the cheapest other method whose worst texel is no further off.
 /// Cells are empty where one of the two was not measured.
 pub(crate) fn table(texels: &Table) -> Table {
@@ -37,6 +40,31 @@ pub(crate) fn table(texels: &Table) -> Table {
         }
     }
     table
+}
+
+/// # Errors
+/// A line that tells how many rows of the table cost too much and which the most, or which one was not measured.
+pub(crate) fn kept(table: &Table) -> Result<(), String> {
+    let (mut worst, mut count) = ((AT_MOST, String::new()), 0);
+    for row in table.records() {
+        let name = format!("{} within {} texels on {}", row["scene"], row["texels"], row["core"]);
+        let ratio = number(&row, "ratio").ok_or_else(|| format!("{name}: not measured"))?;
+        if ratio > AT_MOST {
+            count += 1;
+            if ratio > worst.0 {
+                let pinned = row["pinned"];
+                worst = (ratio, format!("the most {name}, {ratio:.3} times {pinned}"));
+            }
+        }
+    }
+    if count == 0 {
+        return Ok(());
+    }
+    Err(format!(
+        "`Within` costs more than {AT_MOST} times the cheapest method that is as near, in {count} of {} cases: {}",
+        table.rows.len(),
+        worst.1
+    ))
 }
 
 #[cfg(test)]
@@ -86,5 +114,44 @@ mod tests {
         ];
         assert_eq!(rows(&table, "m0plus"), m0plus);
         assert_eq!(rows(&table, "m4")[0], "52.50,50.00,Affine,1.050");
+    }
+
+    /// The table of `globe` alone: the other scenes have no methods here.
+    fn globe(methods: &[(&str, &str, f64, f64)]) -> Table {
+        let mut table = table(&texels(methods));
+        table.rows.retain(|row| row[0] == "globe");
+        table
+    }
+
+    // Red when a ratio of just what is allowed fails, or one above does not; when the line names another row than the
+    // worst; when cases of one core or scene are left out.
+    #[test]
+    fn what_costs_too_much_is_told() {
+        let line = kept(&globe(&METHODS)).unwrap_err();
+        assert!(line.contains("in 2 of 10 cases"), "{line}");
+        assert!(
+            line.ends_with("the most globe within 1/16 texels on m0plus, 1.105 times PerPixel"),
+            "{line}"
+        );
+        assert!(!line.contains('\n'));
+        let mut dearer = METHODS;
+        dearer[3].3 = 125.0;
+        let line = kept(&globe(&dearer)).unwrap_err();
+        assert!(line.contains("in 4 of 10 cases") && line.contains("globe within 2 texels"), "{line}");
+        let mut right = METHODS;
+        right[7].3 = 220.0;
+        assert_eq!(kept(&globe(&right)), Ok(()));
+    }
+
+    // Red when what was not measured counts as kept.
+    #[test]
+    fn what_is_not_measured_is_told() {
+        let line = kept(&table(&texels(&METHODS))).unwrap_err();
+        assert_eq!(line, "leaning-cube within 2 texels on m0plus: not measured");
+        let without_within = &METHODS[..3];
+        assert_eq!(
+            kept(&globe(without_within)).unwrap_err(),
+            "globe within 2 texels on m0plus: not measured"
+        );
     }
 }
