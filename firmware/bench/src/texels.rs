@@ -21,6 +21,7 @@ pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
         texels.by("perspective-subspan-16+depth", Subspans::Of16);
         texels.by("perspective-subspan-8+depth", Subspans::Of8);
         texels.by("perspective-subspan-4+depth", Subspans::Of4);
+        texels.by("perspective-within-2+depth", within("2"));
         texels.by("perspective-within-1+depth", within("1"));
         texels.by("perspective-within-1/2+depth", within("0.5"));
         texels.by("perspective-within-1/4+depth", within("0.25"));

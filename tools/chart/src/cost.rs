@@ -1,5 +1,5 @@
 //! What is read from the tables of cycles and instructions: cost a pixel, a triangle and their pixels apart, and what
-//! each thing adds.
+//! each thing adds, in bytes too.
 
 use crate::table::{Table, figure, number};
 
@@ -75,55 +75,70 @@ pub(crate) fn setup_and_fill(cores: &[Core]) -> Table {
     table
 }
 
+/// A way to draw: its names in the tables of cycles and of flash.
+struct Way {
+    shading: &'static str,
+    image: &'static str,
+}
+
+const fn way(shading: &'static str, image: &'static str) -> Way {
+    Way { shading, image }
+}
+
+const FLAT: Way = way("flat", "flat");
+const FLAT_DEPTH: Way = way("flat+depth", "flat-depth");
+const GOURAUD: Way = way("gouraud+depth", "gouraud-depth");
+const AFFINE: Way = way("affine+depth", "affine-depth");
+const LIT_AFFINE: Way = way("lit-affine+depth", "lit-affine-depth");
+const SUBSPANS: Way = way("perspective-subspan-16+depth", "perspective-subspan-16-depth");
+const PER_PIXEL: Way = way("perspective-pixel+depth", "perspective-depth");
+
 /// A thing, and the two ways to draw that differ in it alone.
-const PARTS: [(&str, &str, &str); 6] = [
-    ("depth", "flat+depth", "flat"),
-    ("colour by vertex", "gouraud", "flat"),
-    ("texture", "affine", "flat"),
-    ("perspective by subspans of 16", "perspective-subspan-16", "affine"),
-    ("perspective by pixel", "perspective-pixel", "affine"),
-    ("light on a texture", "lit-affine+depth", "affine+depth"),
+const PARTS: [(&str, Way, Way); 6] = [
+    ("depth", FLAT_DEPTH, FLAT),
+    ("colour by vertex", GOURAUD, FLAT_DEPTH),
+    ("texture", AFFINE, FLAT_DEPTH),
+    ("perspective by subspans of 16", SUBSPANS, AFFINE),
+    ("perspective by pixel", PER_PIXEL, AFFINE),
+    ("light on a texture", LIT_AFFINE, AFFINE),
 ];
 
-/// What each thing adds: to a pixel and to a triangle on each core, and to flash and RAM where tables of them are there.
-pub(crate) fn parts(setup_and_fill: &Table, cores: &[Core], memories: &[(&str, Option<Table>)]) -> Table {
+/// The images that flash is read of: the core that has the least of it, and the opt level that takes the least.
+const FLASH: [(&str, &str); 2] = [("core", "thumbv6m-none-eabi"), ("opt_level", "s")];
+
+/// What each thing adds: to a pixel and to a triangle on each core, to flash, and to RAM. A cell is empty where a table
+/// lacks one of its two ways.
+pub(crate) fn parts(setup_and_fill: &Table, cores: &[Core], flash: &Table, ram: &Table) -> Table {
     let names: Vec<&str> = cores.iter().map(|core| core.name).collect();
     let mut header = vec!["part".to_owned()];
     header.extend(names.iter().flat_map(|name| [format!("{name}_per_px"), format!("{name}_per_triangle")]));
-    header.extend(memories.iter().map(|(name, _)| format!("{name}_bytes")));
+    header.extend(["flash_bytes", "ram_bytes"].map(str::to_owned));
     let mut table = Table { header, rows: Vec::new() };
     for (part, with, without) in PARTS {
-        let added = |core: &str, column: &str| {
-            let of = |way: &str| {
-                setup_and_fill
-                    .find(&[("core", core), ("shading", way)])
-                    .next()
-                    .and_then(|row| number(&row, column))
-            };
-            Some(of(with)? - of(without)?)
-        };
         let mut row = vec![part.to_owned()];
+        let whole = |bytes: f64| format!("{bytes:.0}");
         for name in &names {
-            row.push(added(name, "per_px").map_or(String::new(), figure));
-            row.push(added(name, "per_triangle").map_or(String::new(), |a| format!("{a:.0}")));
+            let added = |column: &str| {
+                let wanted = |way: &Way| [("core", *name), ("shading", way.shading)];
+                difference(setup_and_fill, column, &wanted(&with), &wanted(&without))
+            };
+            row.push(added("per_px").map(figure).unwrap_or_default());
+            row.push(added("per_triangle").map(whole).unwrap_or_default());
         }
-        row.extend(memories.iter().map(|(_, memory)| {
-            memory.as_ref().and_then(|memory| memory_of(memory, part, [with, without])).unwrap_or_default()
-        }));
-        if row[1..].iter().any(|cell| !cell.is_empty()) {
-            table.rows.push(row);
-        }
+        let image = |way: &Way| [FLASH[0], FLASH[1], ("draws", way.image)];
+        let flash = difference(flash, "topleft_bytes", &image(&with), &image(&without));
+        let shading = |way: &Way| [("shading", way.shading)];
+        let ram = difference(ram, "ram_bytes", &shading(&with), &shading(&without));
+        row.extend([flash, ram].map(|bytes| bytes.map(whole).unwrap_or_default()));
+        table.rows.push(row);
     }
     table
 }
 
-/// The bytes of a part in a table of bytes: as they stand there by the part's name, or the difference of two ways to draw.
-fn memory_of(memory: &Table, part: &str, ways: [&str; 2]) -> Option<String> {
-    let bytes = memory.header.iter().find(|column| column.ends_with("bytes"))?;
-    let first = memory.header.first()?;
-    let of = |name: &str| memory.find(&[(first, name)]).next().and_then(|row| number(&row, bytes));
-    let [with, without] = ways.map(of);
-    of(part).or_else(|| Some(with? - without?)).map(|bytes| format!("{bytes:.0}"))
+/// What a column has more in one row than in another, if both are there.
+fn difference(table: &Table, column: &str, with: &[(&str, &str)], without: &[(&str, &str)]) -> Option<f64> {
+    let of = |wanted| table.find(wanted).next().and_then(|row| number(&row, column));
+    Some(of(with)? - of(without)?)
 }
 
 #[cfg(test)]
@@ -137,16 +152,46 @@ mod tests {
         assert!((a - 900.0).abs() < 1e-6 && (b - 6.5).abs() < 1e-9, "{a} {b}");
     }
 
-    // Red when a part's own row is not looked for, or ways are subtracted the other way round.
-    #[test]
-    fn memory_is_found_by_part_or_by_ways() {
-        let mut memory = Table::new(&["what", "opt_level", "flash_bytes"]);
-        for (what, bytes) in [("depth", "640"), ("affine", "3000"), ("flat", "1800")] {
-            memory.rows.push([what, "s", bytes].map(str::to_owned).into());
+    /// A table of one column of numbers.
+    fn numbers(names: &[&str], column: &str, rows: &[(&[&str], f64)]) -> Table {
+        let mut table = Table::new(&[names, &[column]].concat());
+        for (cells, number) in rows {
+            table.rows.push(cells.iter().map(|&cell| cell.to_owned()).chain([number.to_string()]).collect());
         }
-        assert_eq!(memory_of(&memory, "depth", ["flat+depth", "flat"]).as_deref(), Some("640"));
-        assert_eq!(memory_of(&memory, "texture", ["affine", "flat"]).as_deref(), Some("1200"));
-        assert_eq!(memory_of(&memory, "light", ["lit", "affine"]), None);
+        table
+    }
+
+    // Red when ways are subtracted the other way round; when flash is another core's or another opt level's, or an image
+    // is looked for by its shading; when RAM is taken for flash; when a missing way counts as nothing.
+    #[test]
+    fn a_part_is_the_difference_of_two_ways() {
+        let (m0, m4) = ("thumbv6m-none-eabi", "thumbv7em-none-eabihf");
+        let flash = numbers(
+            &["core", "opt_level", "draws"],
+            "topleft_bytes",
+            &[
+                (&[m0, "3", "flat"], 9000.0),
+                (&[m0, "3", "flat-depth"], 9900.0),
+                (&[m4, "s", "flat"], 8000.0),
+                (&[m4, "s", "flat-depth"], 8800.0),
+                (&[m0, "s", "flat"], 7000.0),
+                (&[m0, "s", "flat-depth"], 7700.0),
+                (&[m0, "s", "affine-depth"], 8000.0),
+                (&[m0, "s", "perspective-depth"], 8500.0),
+            ],
+        );
+        let ram = numbers(&["shading"], "ram_bytes", &[(&["flat"], 10.0), (&["flat+depth"], 16.0)]);
+        let mut costs = Table::new(&["core", "shading", "per_triangle", "per_px"]);
+        for row in [["m0plus", "flat", "1500", "7.5"], ["m0plus", "flat+depth", "2100", "28"]] {
+            costs.rows.push(row.map(str::to_owned).into());
+        }
+        let core = Core { name: "m0plus", total: "", per_pixel: "", table: Table::default() };
+        let parts = parts(&costs, &[core], &flash, &ram);
+        let row = |part| parts.rows.iter().find(|row| row[0] == part).unwrap()[1..].join(",");
+        assert_eq!(row("depth"), "20.50,600,700,6");
+        assert_eq!(row("texture"), ",,300,");
+        assert_eq!(row("perspective by pixel"), ",,500,");
+        assert_eq!(row("light on a texture"), ",,,");
     }
 
     // Red when points count by their size: two large ones that are off by 5 % would decide alone.

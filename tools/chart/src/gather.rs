@@ -9,14 +9,13 @@ use crate::figures::Tables;
 use crate::host::{self, Timed};
 use crate::table::{Table, figure, number};
 use crate::texels::{self, Texels};
-use crate::{depth, method};
+use crate::{depth, method, ram, within};
 
 /// What is read.
 #[derive(Clone, Debug)]
 pub(crate) struct Inputs {
     cores: Vec<Core>,
-    /// Flash and RAM, where they were measured.
-    memories: Vec<(&'static str, Option<Table>)>,
+    flash: Table,
     peers: Option<Table>,
     /// The texels' table as it is, for the host's columns.
     texels: Option<Table>,
@@ -41,7 +40,7 @@ impl Inputs {
                 core("m0plus", "cycles_total", "cycles_per_pixel", "measured/rp2040.csv")?,
                 core("m4", "instructions_total", "instructions_per_pixel", "measured/cortex-m4.csv")?,
             ],
-            memories: vec![("flash", there("measured/flash.csv")?), ("ram", there("measured/ram.csv")?)],
+            flash: needed("measured/flash.csv")?,
             peers: there("chart/peers.csv")?,
             texels: there("chart/texels.csv")?,
         })
@@ -73,12 +72,15 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
     bar.finish_and_clear();
     let setup_and_fill = cost::setup_and_fill(&inputs.cores);
     let texels = texels_table(inputs, &errors, &times);
+    let ram = ram::table();
     Ok(Tables {
         picks: picks(&texels),
+        within: within::table(&texels),
         texels,
         resolution,
         inversions,
-        parts: cost::parts(&setup_and_fill, &inputs.cores, &inputs.memories),
+        parts: cost::parts(&setup_and_fill, &inputs.cores, &inputs.flash, &ram),
+        ram,
         setup_and_fill,
         peers: inputs.peers.clone(),
     })

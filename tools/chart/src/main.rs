@@ -23,7 +23,9 @@ mod spy;
 mod cost;
 mod depth;
 mod host;
+mod ram;
 mod texels;
+mod within;
 
 mod figures;
 mod gather;
@@ -66,11 +68,16 @@ fn main() -> ExitCode {
     }
 }
 
-/// What differs, where that is asked for; an error where a file cannot be read or written.
+/// What differs, where that is asked for; an error where a file cannot be read or written, or where a promise that is
+/// checked is not kept.
 fn run(options: &Options) -> Result<Vec<String>, String> {
     let root: &Path = &options.root;
     let inputs = gather::Inputs::read(root)?;
     let tables = gather::tables(&inputs, options.check || options.keep_host)?;
     let files = output::files(root, &tables, &inputs)?;
-    if options.check { output::check(root, &files) } else { output::write(root, &files).map(|()| Vec::new()) }
+    if !options.check {
+        return output::write(root, &files).map(|()| Vec::new());
+    }
+    within::kept(&tables.within)?;
+    output::check(root, &files)
 }

@@ -72,6 +72,7 @@ pub(crate) fn for_each(each: &mut impl EachMethod) {
         each.method(method(Family::Subspans, setting, row, Bound::Every(subspans.pixels().into())), subspans);
     }
     for (setting, row, error) in [
+        ("2", "perspective-within-2+depth", 2.0),
         ("1", "perspective-within-1+depth", 1.0),
         ("1/2", "perspective-within-1/2+depth", 0.5),
         ("1/4", "perspective-within-1/4+depth", 0.25),

@@ -29,10 +29,12 @@ pub(crate) fn files(root: &Path, tables: &Tables, _: &Inputs) -> Result<Vec<File
     let named = [
         ("texels", &tables.texels),
         ("picks", &tables.picks),
+        ("within", &tables.within),
         ("depth-resolution", &tables.resolution),
         ("depth-inversions", &tables.inversions),
         ("setup-and-fill", &tables.setup_and_fill),
         ("parts", &tables.parts),
+        ("ram", &tables.ram),
     ];
     let folder = Path::new(FOLDER);
     let mut files: Vec<File> = named

@@ -1,4 +1,4 @@
-//! A texture in perspective, with depth.
+//! A texture in perspective with a reciprocal a pixel, with depth.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use topleft::{DrawList, PerPixel, Strip, Textured};

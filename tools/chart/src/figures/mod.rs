@@ -13,10 +13,12 @@ use crate::table::Table;
 pub(crate) struct Tables {
     pub(crate) texels: Table,
     pub(crate) picks: Table,
+    pub(crate) within: Table,
     pub(crate) resolution: Table,
     pub(crate) inversions: Table,
     pub(crate) setup_and_fill: Table,
     pub(crate) parts: Table,
+    pub(crate) ram: Table,
     /// Written by `tools/peers`, where it was.
     pub(crate) peers: Option<Table>,
 }

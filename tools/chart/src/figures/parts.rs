@@ -1,55 +1,71 @@
-//! What each thing costs: a bar for each, in as many panels as there are columns.
+//! What each thing costs: a row for each, with a bar in each of six columns.
 
-use crate::plot::{Anchor, Canvas, Scale, Shape, short, svg};
+use crate::plot::{Anchor, BLACK, Canvas, GREY, Scale, Shape, short, svg};
 use crate::table::{Table, number};
 
-const LEFT: i32 = 230;
-const WIDTH: i32 = 250;
-const ROW: i32 = 24;
+/// Where the first bars start, and how wide the widest is; beside it there is room for its number.
+const LEFT: i32 = 216;
+const WIDTH: i32 = 150;
+const COLUMN: i32 = WIDTH + 66;
+/// Of a bar and the gap below it.
+const ROW: i32 = 26;
+/// From the top of three columns to the bars.
+const HEAD: i32 = 58;
 
-/// A column's title, and one of its table.
-const TITLES: [(&str, &str); 6] = [
-    ("m0plus_per_px", "Cortex-M0+: cycles a pixel"),
-    ("m0plus_per_triangle", "Cortex-M0+: cycles a triangle"),
-    ("m4_per_px", "Cortex-M4: instructions a pixel"),
-    ("m4_per_triangle", "Cortex-M4: instructions a triangle"),
-    ("flash_bytes", "flash: bytes"),
-    ("ram_bytes", "RAM: bytes"),
+/// Columns of the table: what they count, and of what. Three stand beside each other.
+const PANELS: [[(&str, &str, &str); 3]; 2] = [
+    [
+        ("m0plus_per_px", "cycles a pixel", "Cortex-M0+, opt-level 3"),
+        ("flash_bytes", "bytes of flash", "Cortex-M0+, opt-level s"),
+        ("ram_bytes", "bytes of RAM", "strip 240x16, 1000 vertices"),
+    ],
+    [
+        ("m0plus_per_triangle", "cycles a triangle", "Cortex-M0+, opt-level 3"),
+        ("m4_per_px", "instructions a pixel", "Cortex-M4, opt-level 3"),
+        ("m4_per_triangle", "instructions a triangle", "Cortex-M4, opt-level 3"),
+    ],
 ];
 
 pub(super) fn draw(table: &Table) -> String {
     let rows: Vec<_> = table.records().collect();
-    let filled = |column: &str| rows.iter().any(|row| number(row, column).is_some());
-    let shown: Vec<_> = TITLES.into_iter().filter(|(column, _)| filled(column)).collect();
-    let height = 50 + rows.len() as i32 * ROW;
-    let size = [LEFT + 2 * (WIDTH + 70), 10 + shown.len().div_ceil(2) as i32 * height];
+    let height = HEAD + rows.len() as i32 * ROW;
+    let size = [LEFT + 3 * COLUMN, 2 * height + 14];
     svg(size.map(i32::unsigned_abs), |canvas| {
-        for (place, (column, title)) in shown.iter().enumerate() {
-            let (across, down) = (place as i32 % 2, place as i32 / 2);
-            let corner = [LEFT + across * (WIDTH + 70), 44 + down * height];
-            let bars: Vec<_> = rows.iter().map(|row| (row["part"], number(row, column))).collect();
-            panel(canvas, corner, title, &bars, across == 0);
+        for (down, panels) in PANELS.iter().enumerate() {
+            let top = HEAD + down as i32 * height;
+            for (row, of_part) in rows.iter().enumerate() {
+                let y = top + row as i32 * ROW;
+                if row % 2 == 0 {
+                    canvas.block([8, y - 4], [size[0] - 8, y + ROW - 4], BAND);
+                }
+                canvas.text(of_part["part"], [LEFT - 10, y + ROW / 2 - 4], 13, BLACK, Anchor::Right);
+            }
+            for (across, (column, counted, of)) in panels.iter().enumerate() {
+                let left = LEFT + across as i32 * COLUMN;
+                canvas.text(counted, [left, top - 36], 15, BLACK, Anchor::Left);
+                canvas.text(of, [left, top - 17], 12, GREY, Anchor::Left);
+                let bars: Vec<_> = rows.iter().map(|row| number(row, column)).collect();
+                panel(canvas, [left, top], &bars);
+            }
         }
     })
 }
 
-fn panel(canvas: &Canvas<'_>, [left, top]: [i32; 2], title: &str, bars: &[(&str, Option<f64>)], named: bool) {
-    canvas.text(title, [left, top - 20], 15, [20; 3], Anchor::Left);
-    let most = bars.iter().filter_map(|bar| bar.1).fold(1e-9, f64::max);
+/// Behind every other row, so that one is followed from its name to its last bar.
+const BAND: [u8; 3] = [240, 240, 240];
+
+fn panel(canvas: &Canvas<'_>, [left, top]: [i32; 2], bars: &[Option<f64>]) {
+    let most = bars.iter().flatten().copied().fold(1e-9, f64::max);
     let scale = Scale::even(most, most);
-    for (row, &(part, value)) in bars.iter().enumerate() {
-        let y = top + row as i32 * ROW;
-        if named {
-            canvas.text(part, [left - 10, y + ROW / 2 - 2], 13, [20; 3], Anchor::Right);
-        }
-        let Some(value) = value else {
-            canvas.text("not measured", [left + 4, y + ROW / 2 - 2], 12, [110; 3], Anchor::Left);
+    for (row, value) in bars.iter().enumerate() {
+        let (y, middle) = (top + row as i32 * ROW, top + row as i32 * ROW + ROW / 2 - 4);
+        let Some(value) = *value else {
+            canvas.text("not measured", [left + 4, middle], 12, GREY, Anchor::Left);
             continue;
         };
         let end = left + (f64::from(WIDTH) * scale.place(value)).round() as i32;
-        let shape = Shape::ALL[row % Shape::ALL.len()];
-        canvas.block([left, y], [end.max(left + 1), y + ROW - 6], shape.colour);
-        canvas.text(&short(value), [end + 6, y + ROW / 2 - 2], 13, [20; 3], Anchor::Left);
+        canvas.block([left, y], [end.max(left + 1), y + ROW - 9], Shape::TRIANGLE.colour);
+        canvas.text(&short(value), [end + 6, middle], 13, BLACK, Anchor::Left);
     }
-    canvas.line(&[[left, top - 4], [left, top + bars.len() as i32 * ROW]], [110; 3], 1);
+    canvas.line(&[[left, top - 4], [left, top + bars.len() as i32 * ROW - 4]], GREY, 1);
 }

@@ -6,7 +6,7 @@ mod marker;
 mod panel;
 mod scale;
 
-pub(crate) use canvas::{Anchor, Canvas, Colour, svg};
+pub(crate) use canvas::{Anchor, BLACK, Canvas, Colour, GREY, svg};
 pub(crate) use label::Labels;
 pub(crate) use marker::{Fill, Shape};
 pub(crate) use panel::{Edge, Panel};
