@@ -262,26 +262,41 @@ impl Bend {
 }
 
 /// The power of two of pixels of the subspans of a run of `steps`, 3 or more, whose middle may be off by `between`; nothing
-/// where they would be shorter than 4.
+/// where they would be shorter than 8: four pixels one by one cost less than a subspan of them.
 #[inline(never)]
 fn length(texel_box: &TexelBox, between: u32, steps: u32, first: &Exact, last: &Exact) -> Option<u32> {
-    let [u, v] = differences(first.texel, last.texel).map(i32::unsigned_abs);
-    // Each end is off by U 2^-13. Rounded up to 6 fraction bits.
-    let texels = (u.max(v) >> 10) + (1 << texel_box.span_log2 >> 6) + 2;
-    let (lesser, greater) = if last.q < first.q { (last, first) } else { (first, last) };
-    let difference = greater.q - lesser.q;
-    if difference >= lesser.q || texels >> 16 != 0 || between == 0 {
-        return None;
-    }
-    // The ratio of w less 1, at most 1: the reciprocal is at most 2^-16 too low. In 16 fraction bits, rounded up.
-    let over = (((difference << (lesser.shift - 1) >> 15) * lesser.reciprocal) >> 15) + 3;
-    let bend = over + (((over >> 1) * (over >> 1)) >> 14) + 4;
-    // Four times the whole run's error, in 12 fraction bits.
-    let error = ((texels * ((bend >> 2) + 1)) >> 8) + 1;
+    let error = quadruple_error(texel_box, first, last).filter(|_| between > 0)?;
     let allowed = between.min((1 << 18) - 1) >> 2;
     if error <= allowed {
         return Some(5);
     }
     let square = steps.min(1 << 15) * steps.min(1 << 15);
-    (2..=5).rev().find(|log2| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1))
+    (3..=5).rev().find(|log2| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1))
+}
+
+/// Four times the error of a whole run that is linear from one end to the other: in 12 fraction bits, rounded up. Nothing
+/// for 2^10 texels and more, or a ratio of w of about 16 and more.
+#[inline(always)]
+fn quadruple_error(texel_box: &TexelBox, first: &Exact, last: &Exact) -> Option<u32> {
+    let [u, v] = differences(first.texel, last.texel).map(i32::unsigned_abs);
+    // Each end is off by U 2^-13. Rounded up to 6 fraction bits.
+    let texels = (u.max(v) >> 10) + (1 << texel_box.span_log2 >> 6) + 2;
+    let (lesser, greater) = if last.q < first.q { (last, first) } else { (first, last) };
+    let (difference, octaves) = (greater.q - lesser.q, lesser.shift - greater.shift);
+    if texels >> 16 != 0 || octaves > 3 {
+        return None;
+    }
+    if difference < lesser.q {
+        // The ratio of w less 1, at most 1: the reciprocal is at most 2^-16 too low. In 16 fraction bits, rounded up.
+        let over = (((difference << (lesser.shift - 1) >> 15) * lesser.reciprocal) >> 15) + 3;
+        let bend = over + (((over >> 1) * (over >> 1)) >> 14) + 4;
+        Some(((texels * ((bend >> 2) + 1)) >> 8) + 1)
+    } else {
+        // At most 15, and in 8 fraction bits: of 14 bits and more, what is rounded down and the reciprocal make it less than
+        // 2^-12 of itself too low.
+        let over = ((difference << greater.shift >> 16) * lesser.reciprocal) >> (15 - octaves);
+        let over = ((over + (over >> 12)) >> 8) + 1;
+        let bend = over + ((over * over) >> 8) + 1;
+        Some(((texels * bend) >> 2) + 1)
+    }
 }
