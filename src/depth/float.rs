@@ -95,7 +95,7 @@ mod tests {
 
     // Red when codes fall where depths grow: `octave << 9`.
     #[test]
-    fn codes_grow_with_float_depth() {
+    fn codes_grow_with_depth() {
         let depths = || (0..=u32::MAX).step_by(4099);
         assert!(depths().zip(depths().skip(1)).all(|(a, b)| DepthFloat::of(a) <= DepthFloat::of(b)));
     }
