@@ -67,7 +67,7 @@
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
 //!    [`PerPixel`] by at most `U 2^-13`, with U the power of two of texels that holds the triangle's, up to a ratio of w
 //!    of 64 and within 500 pixels of that vertex; with [`Within`] by what the caller allows, if that is more, and the value's
-//!    share above; a depth by `(n + m + 2) 2^-17 + 2^-11` codes.
+//!    share above; a depth by `(n + m + 2) 2^-17 + 2^-11` codes of [`Depth16`].
 //!    (`tests/against_reference`, `tests/stability`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
 //!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
@@ -99,7 +99,8 @@
 //!   nearest, halves up, before anything else is computed from them.
 //! * A pixel is covered where its centre is inside a triangle, or on a top or left edge of it.
 //! * Front faces are counter-clockwise as the viewer sees them, as in OBJ files.
-//! * Depth is a `u16`, linear on the screen: 0 is cleared, greater is nearer, and of two that are equal the earlier stays.
+//! * Depth is a `u16`, linear on the screen or a small float: 0 is cleared, greater is nearer, and of two that are equal the
+//!   earlier stays.
 //! * Texture coordinates start at the top left corner of the texture, and v grows down.
 //! * Colours and light are computed in code values: no gamma.
 //!
@@ -141,7 +142,7 @@ mod triangle;
 
 pub use blob::{Aligned, BlobError};
 pub use camera::{Camera, MatrixCamera, Orthographic, Perspective};
-pub use depth::{Depth, Depth16, NoDepth};
+pub use depth::{Depth, Depth16, DepthFloat, NoDepth};
 pub use list::{DrawError, DrawList, ListStorage, ListTriangle, Stats};
 pub use math::format::{Attribute, Coord, DepthCode, Inverse, Length};
 pub use math::matrix::Matrix;

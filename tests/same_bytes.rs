@@ -14,13 +14,13 @@ use scenes::texture::TEST_CARD;
 use scenes::{Method, SCENES, Scene, Shade, View};
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, Attribute, BoxWalk, Camera, Coord, Cull, Depth16, Divided, DrawList, Flat, Gouraud, Length,
-    ListTriangle, Material, Mesh, Orthographic, PerPixel, Perspective, Point as Corner, Portable, Pose,
-    ShadedTriangle, Spans, Stats, Strip, Subspans, Sun, Textured, Turn, Within, Wrap,
+    Affine, Attribute, BoxWalk, Camera, Coord, Cull, Depth, Depth16, DepthFloat, Divided, DrawList, Flat,
+    Gouraud, Length, ListTriangle, Material, Mesh, Orthographic, PerPixel, Perspective, Point as Corner,
+    Portable, Pose, ShadedTriangle, Spans, Stats, Strip, Subspans, Sun, Textured, Turn, Within, Wrap,
 };
 
 use support::counter::StrictDisplay;
-use support::frame::{Frame, rendered};
+use support::frame::{Frame, Strips, rendered};
 use support::strategies::{MeshData, mesh_data};
 use support::{check, same};
 
@@ -33,38 +33,42 @@ trait Drawing {
     fn size(&self) -> Size;
     /// Words and triangles that a list needs for it.
     fn needs(&self) -> (usize, usize);
-    fn draw<T: Traversal>(&self, list: &mut DrawList<'_, u16, Depth16, T>);
+    fn draw<D: Depth, T: Traversal>(&self, list: &mut DrawList<'_, u16, D, T>);
 }
 
 const BACKGROUND: u16 = 0x1234;
 
 /// Renders a list into a frame by strips of `rows` rows each.
-fn render<T: Traversal>(list: &DrawList<'_, u16, Depth16, T>, size: Size, rows: usize) -> Frame {
+fn render<D: Strips, T: Traversal>(list: &DrawList<'_, u16, D, T>, size: Size, rows: usize) -> Frame {
     rendered(list, size.width as usize, 0..size.height.cast_signed(), rows, BACKGROUND)
 }
 
 /// Draws into a new list by a traversal, and hands it over.
-fn listed<T: Traversal, R>(
+fn listed<D: Depth, T: Traversal, R>(
     drawing: &impl Drawing,
-    with: impl FnOnce(&mut DrawList<'_, u16, Depth16, T>) -> R,
+    with: impl FnOnce(&mut DrawList<'_, u16, D, T>) -> R,
 ) -> R {
     let (words, triangles) = drawing.needs();
     let (mut words, mut triangles) = (vec![0; words], vec![ListTriangle::EMPTY; triangles]);
-    let mut list = DrawList::<u16, Depth16, T>::with_traversal(&mut words, &mut triangles);
+    let mut list = DrawList::<u16, D, T>::with_traversal(&mut words, &mut triangles);
     drawing.draw(&mut list);
     with(&mut list)
 }
 
 /// The whole frame in one strip.
-fn whole<T: Traversal>(drawing: &impl Drawing) -> Frame {
-    listed::<T, _>(drawing, |list| render(list, drawing.size(), drawing.size().height as usize))
+fn whole<D: Strips, T: Traversal>(drawing: &impl Drawing) -> Frame {
+    listed::<D, T, _>(drawing, |list| render(list, drawing.size(), drawing.size().height as usize))
 }
 
 /// All strip heights by both traversals; gives back the frame and how many others were compared with it.
-fn any_strips(what: &str, drawing: &impl Drawing) -> Result<(Frame, usize), String> {
-    fn heights<T: Traversal>(what: &str, drawing: &impl Drawing, expected: &Frame) -> Result<usize, String> {
+fn any_strips<D: Strips>(what: &str, drawing: &impl Drawing) -> Result<(Frame, usize), String> {
+    fn heights<D: Strips, T: Traversal>(
+        what: &str,
+        drawing: &impl Drawing,
+        expected: &Frame,
+    ) -> Result<usize, String> {
         let height = drawing.size().height as usize;
-        listed::<T, _>(drawing, |list| {
+        listed::<D, T, _>(drawing, |list| {
             for rows in 1..=height {
                 let what = format!("{what}, strips of {rows} rows, {}", std::any::type_name::<T>());
                 render(list, drawing.size(), rows).same(&what, expected)?;
@@ -72,8 +76,8 @@ fn any_strips(what: &str, drawing: &impl Drawing) -> Result<(Frame, usize), Stri
             Ok(height)
         })
     }
-    let frame = whole::<Spans>(drawing);
-    let frames = heights::<Spans>(what, drawing, &frame)? + heights::<BoxWalk>(what, drawing, &frame)?;
+    let frame = whole::<D, Spans>(drawing);
+    let frames = heights::<D, Spans>(what, drawing, &frame)? + heights::<D, BoxWalk>(what, drawing, &frame)?;
     Ok((frame, frames))
 }
 
@@ -94,7 +98,7 @@ impl Drawing for OfScene {
         (self.scene.vertices() * 7 + 20_000, self.scene.faces() + 4_000)
     }
 
-    fn draw<T: Traversal>(&self, list: &mut DrawList<'_, u16, Depth16, T>) {
+    fn draw<D: Depth, T: Traversal>(&self, list: &mut DrawList<'_, u16, D, T>) {
         self.scene.draw(list, self.size, &self.view).expect("the list is long enough");
     }
 }
@@ -131,13 +135,13 @@ struct OfMesh<'m> {
 const WAYS: usize = 14;
 
 impl OfMesh<'_> {
-    fn add<'a, T: Traversal, S: Shader<'a, u16>>(
+    fn add<'a, D: Depth, T: Traversal, S: Shader<'a, u16>>(
         &self,
-        list: &mut DrawList<'a, u16, Depth16, T>,
+        list: &mut DrawList<'a, u16, D, T>,
         shader: &S,
     ) {
-        fn add<'a, T: Traversal>(
-            list: &mut DrawList<'a, u16, Depth16, T>,
+        fn add<'a, D: Depth, T: Traversal>(
+            list: &mut DrawList<'a, u16, D, T>,
             camera: &impl Camera,
             mesh: &Mesh<'_>,
             shader: &impl Shader<'a, u16>,
@@ -164,7 +168,7 @@ impl Drawing for OfMesh<'_> {
         (1024, 64)
     }
 
-    fn draw<T: Traversal>(&self, list: &mut DrawList<'_, u16, Depth16, T>) {
+    fn draw<D: Depth, T: Traversal>(&self, list: &mut DrawList<'_, u16, D, T>) {
         let sun = Sun::new([Length::lit("0.3"), Length::lit("0.8"), Length::lit("0.4")]);
         let card =
             TEST_CARD.with_wrap(if self.mesh.faces().len() % 2 == 0 { Wrap::Clamp } else { Wrap::Repeat });
@@ -202,7 +206,7 @@ fn six_vertex_orders_give_the_same_bytes() {
         let frame = |order: [usize; 3]| {
             let faces: Vec<[u16; 3]> = data.faces.iter().map(|face| order.map(|i| face[i])).collect();
             let drawing = OfMesh { mesh: data.with_faces(&faces), way, near, stats: Cell::default() };
-            let frame = whole::<Spans>(&drawing);
+            let frame = whole::<Depth16, Spans>(&drawing);
             (frame, drawing.stats.get())
         };
         let (expected, stats) = frame(ORDERS[0]);
@@ -250,13 +254,17 @@ fn six_vertex_orders_of_a_flat_drawing_give_the_same_pixels() {
     assert!(pixels.get() > 100_000);
 }
 
-// Red when a span's start values are stepped from its first visible row or column in place of the anchor: `Plane::at`.
+// Red when a span's start values are stepped from its first visible row or column in place of the anchor: `Plane::at`; and
+// when a small float is 0 where something is drawn.
 #[test]
 fn any_strips_and_traversal_give_the_same_bytes_of_random_meshes() {
     let frames = Cell::new(0);
     check(3_000, &meshes(), |(data, way, near)| {
         let drawing = OfMesh { mesh: data.mesh(), way, near, stats: Cell::default() };
-        frames.set(frames.get() + any_strips("a mesh", &drawing)?.1);
+        let (frame, compared) = any_strips::<Depth16>("a mesh", &drawing)?;
+        let (float, also) = any_strips::<DepthFloat>("a mesh, small floats", &drawing)?;
+        same("pixels seen", 1, &[float.seen()], &[frame.seen()])?;
+        frames.set(frames.get() + compared + also);
         Ok(())
     });
     println!("{} frames", frames.get());
@@ -267,7 +275,7 @@ fn any_strips_and_traversal_give_the_same_bytes_of_random_meshes() {
 fn any_strips_and_traversal_give_the_same_bytes_of_every_scene() {
     let mut frames = 0;
     for (name, drawing) in all_scenes(Size::new(60, 48)) {
-        let (frame, compared) = any_strips(&name, &drawing).unwrap();
+        let (frame, compared) = any_strips::<Depth16>(&name, &drawing).unwrap();
         frames += compared;
         // The least is the ladder from behind.
         assert!(frame.seen() > 50, "{name} shows {} pixels", frame.seen());
@@ -280,8 +288,11 @@ fn any_strips_and_traversal_give_the_same_bytes_of_every_scene() {
 fn any_strips_give_the_same_bytes_of_a_whole_display() {
     let size = Size::new(240, 240);
     let scene = scenes::by_name("teapot").expect("the scene of the teapot");
-    let (frame, frames) = any_strips("teapot", &OfScene { scene, size, view: View::default() }).unwrap();
-    println!("{frames} frames of {} pixels", frame.seen());
+    let drawing = OfScene { scene, size, view: View::default() };
+    let (frame, frames) = any_strips::<Depth16>("teapot", &drawing).unwrap();
+    let (float, also) = any_strips::<DepthFloat>("teapot, small floats", &drawing).unwrap();
+    println!("{} frames of {} pixels", frames + also, frame.seen());
+    assert_eq!(frame.seen(), float.seen());
 }
 
 // Red when rendering changes a list, or `DrawList::clear` leaves something behind: its shaders, words or triangles.
@@ -303,7 +314,7 @@ fn drawing_twice_gives_the_same_bytes() {
         drawing.draw(&mut list);
         assert_eq!(list.words(), used, "{name}");
         render(&list, drawing.size, 48).same(name, &first).unwrap();
-        whole::<Spans>(drawing).same(name, &first).unwrap();
+        whole::<Depth16, Spans>(drawing).same(name, &first).unwrap();
     }
 }
 
@@ -327,7 +338,7 @@ fn shaders_that_take_turns_in_a_list_draw_as_in_lists_of_their_own() {
         let strip = Strip::new(36, &mut colours).expect("whole rows");
         let mut strip = strip.with_depth(&mut depths).expect("as many depths");
         for drawing in &drawings {
-            listed::<Spans, _>(drawing, |list| list.render(0..26, &mut strip));
+            listed::<Depth16, Spans, _>(drawing, |list| list.render(0..26, &mut strip));
         }
         render(&list, size, 26).same("together", &Frame { width: 36, colours, depths })
     });
@@ -338,8 +349,8 @@ fn shaders_that_take_turns_in_a_list_draw_as_in_lists_of_their_own() {
 fn a_strip_shows_its_part_of_the_frame_wherever_it_is() {
     let size = Size::new(60, 48);
     for (name, drawing) in all_scenes(size).step_by(3) {
-        let expected = whole::<Spans>(&drawing);
-        listed::<Spans, _>(&drawing, |list| {
+        let expected = whole::<Depth16, Spans>(&drawing);
+        listed::<Depth16, Spans, _>(&drawing, |list| {
             for (width, top, rows) in
                 [(60, -7, 20), (60, 11, 30), (60, 40, 20), (60, 47, 1), (31, 0, 48), (1, 9, 9), (75, -3, 60)]
             {

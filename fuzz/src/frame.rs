@@ -1,22 +1,25 @@
 //! The whole pipeline: a frame of any meshes.
 
+use std::ops::RangeInclusive;
+
 use arbitrary::Arbitrary;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::RgbColor;
-use topleft::{Cull, Depth16, Material, NoDepth, Sun};
+use topleft::{Cull, Depth16, DepthFloat, Material, NoDepth, Sun};
 
 use crate::lens::{Lens, Target};
 use crate::numbers::{Mostly, Number, Place};
 use crate::picture::{Item, Look, Picture};
 use crate::soup::{Image, Soup};
+use crate::support::frame::Strips;
 
 /// Any meshes in any places, seen by any camera, drawn into a list of any size and rendered in strips of any height.
 #[derive(Arbitrary, Clone, Debug)]
 pub struct Frame {
     target: Target,
     lens: Lens,
-    /// With depth, as 16-bit colours; or without, as 24-bit ones.
-    deep: bool,
+    /// Odd: with depth, as 16-bit colours, and small floats where the next bit is set; even: without, as 24-bit ones.
+    depth: u8,
     /// Words and triangles of the list: usually enough.
     storage: Mostly<(), [u16; 2]>,
     window: [u8; 2],
@@ -93,16 +96,21 @@ impl Frame {
             height: usize::from(self.strip_height % MOST) + 1,
             display: self.display.map(|length| (length % MOST).into()),
         };
-        let seen = if self.deep { check_deep(&picture) } else { check_flat(&picture) };
+        let seen = match self.depth % 4 {
+            // From 4 at the far plane to 65532 at the near one, and less than a code of error.
+            1 => check_deep::<Depth16>(&picture, 3..=65_532),
+            // From 256 at the far plane to the last of all, and at most 145 codes of error there: the margin's bound.
+            3 => check_deep::<DepthFloat>(&picture, 111..=u16::MAX),
+            _ => check_flat(&picture),
+        };
         seen.unwrap_or_else(|error| panic!("{error}\n{self:#?}"))
     }
 }
 
-/// 16-bit colours with depth.
-fn check_deep(picture: &Picture<'_>) -> Result<usize, String> {
-    let frame = picture.check::<Rgb565, Depth16>()?;
-    // From 4 at the far plane to 65532 at the near one, and less than a code of error.
-    if let Some(depth) = frame.depths.iter().find(|&&depth| depth != 0 && !(3..=65_532).contains(&depth)) {
+/// 16-bit colours with depth, whose codes are in a range.
+fn check_deep<D: Strips>(picture: &Picture<'_>, codes: RangeInclusive<u16>) -> Result<usize, String> {
+    let frame = picture.check::<Rgb565, D>()?;
+    if let Some(depth) = frame.depths.iter().find(|&&depth| depth != 0 && !codes.contains(&depth)) {
         return Err(format!("a depth of {depth} is beyond a plane"));
     }
     if frame.colours.iter().zip(&frame.depths).any(|(&colour, &depth)| depth == 0 && colour != Rgb565::BLACK)

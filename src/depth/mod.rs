@@ -1,16 +1,20 @@
 //! Stage 6. Which pixels of a span are visible, before any of them is shaded.
 //!
-//! Each way to decide it has a file: [`NoDepth`] does not, and [`Depth16`] keeps the nearest depth of each pixel.
+//! Each way to decide it has a file: [`NoDepth`] does not, and [`Depth16`] and [`DepthFloat`] keep the nearest depth of each
+//! pixel in a [`buffer`].
 
 use core::ops::Range;
 
 use crate::attributes::Words;
 use crate::varying::Varying;
 
+mod buffer;
 mod depth16;
+mod float;
 mod none;
 
 pub use depth16::Depth16;
+pub use float::DepthFloat;
 pub use none::NoDepth;
 
 /// What hides what. A type parameter: a list without depth has no buffer, no cycle and no code for it.

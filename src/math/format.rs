@@ -20,7 +20,8 @@ pub type Length = I16F16;
 /// x grows to the right and y down; the centre of the top left pixel is at (0.5, 0.5).
 pub type Coord = I24F8;
 
-/// A depth in depth codes, with 16 fraction bits for interpolation: 0 is far, greater is nearer.
+/// A depth in codes of [`Depth16`](crate::Depth16), with 16 fraction bits for interpolation: 0 is far, greater is nearer.
+/// [`DepthFloat`](crate::DepthFloat) makes its codes of all 32 bits.
 pub type DepthCode = U16F16;
 
 /// An attribute that is interpolated over a triangle: texels, or steps of a colour channel.

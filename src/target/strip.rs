@@ -7,7 +7,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-use crate::depth::{Depth, Depth16, NoDepth};
+use crate::depth::{Depth, Depth16, DepthFloat, NoDepth};
 use crate::gradients::Plane;
 use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
@@ -74,11 +74,26 @@ impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
         Ok(Self { colours, depths: (), width, height, background: P::from_channels([0; 3]) })
     }
 
-    /// The same strip with a depth for each pixel.
+    /// The same strip with a depth for each pixel, as [`Depth16`].
     ///
     /// # Errors
     /// Fewer depths than pixels.
     pub fn with_depth(self, depths: &'s mut [u16]) -> Result<Strip<'s, P, Depth16>, StripError> {
+        self.with(depths)
+    }
+
+    /// The same strip with a depth for each pixel, as [`DepthFloat`].
+    ///
+    /// # Errors
+    /// Fewer depths than pixels.
+    pub fn with_float_depth(self, depths: &'s mut [u16]) -> Result<Strip<'s, P, DepthFloat>, StripError> {
+        self.with(depths)
+    }
+
+    fn with<D: Depth<Plane<'s> = &'s mut [u16]>>(
+        self,
+        depths: &'s mut [u16],
+    ) -> Result<Strip<'s, P, D>, StripError> {
         let Self { colours, width, height, background, .. } = self;
         let needed = usize::from(width) * usize::from(height);
         if depths.len() < needed {

@@ -135,7 +135,14 @@ pub(crate) fn exact_perspective() -> MatrixCamera<true> {
     MatrixCamera::new(Size::new(SIZE, SIZE), topleft::Matrix::new(rows.map(eighths)))
 }
 
-/// w of a vertex under [`exact_perspective`].
+/// The same far beyond a near plane that is 2^-16 away: z is w less that.
+pub(crate) fn exact_far_away() -> MatrixCamera<true> {
+    let mut rows = [[128, 0, 0, 0], [0, 128, 0, 0], [0, 0, 63, 65], [0, 0, 63, 65]].map(eighths);
+    rows[2][3] -= Length::DELTA;
+    MatrixCamera::new(Size::new(SIZE, SIZE), topleft::Matrix::new(rows))
+}
+
+/// w of a vertex under [`exact_perspective`] and [`exact_far_away`].
 pub(crate) fn w_of(position: [i16; 3]) -> f64 {
     65.0 / 128.0 + 63.0 / 128.0 * f64::from(position[2]) / 32_768.0
 }

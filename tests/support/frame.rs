@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 
 use topleft::stages::Traversal;
-use topleft::{Depth, Depth16, DrawList, NoDepth, Pixel, Strip};
+use topleft::{Depth, Depth16, DepthFloat, DrawList, NoDepth, Pixel, Strip};
 
 use super::same;
 
@@ -42,6 +42,12 @@ impl Strips for NoDepth {
 impl Strips for Depth16 {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], depths: &'s mut [u16]) -> Strip<'s, P, Self> {
         Strip::new(width, colours).expect("whole rows").with_depth(depths).expect("as many depths")
+    }
+}
+
+impl Strips for DepthFloat {
+    fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], depths: &'s mut [u16]) -> Strip<'s, P, Self> {
+        Strip::new(width, colours).expect("whole rows").with_float_depth(depths).expect("as many depths")
     }
 }
 

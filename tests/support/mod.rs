@@ -1,6 +1,7 @@
 //! What several test binaries share: counters, inputs biased to where methods fail, and a runner with fixed seeds.
 #![allow(dead_code, unused_imports, reason = "each test binary uses a part of it")]
 
+pub(crate) mod coded;
 pub(crate) mod counter;
 mod difference;
 pub(crate) mod exact;

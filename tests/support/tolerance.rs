@@ -80,6 +80,15 @@ pub(crate) const SIXTEENTH: f64 = 1.0 / 16.0;
 /// down by a step of 2^-16.
 pub(crate) const DEPTH_VERTEX: f64 = 65_528.0 * 1.08 * half(28) + 3.0 * half(16);
 
+// Depth as a small float. The plane below it is given in 2^-16 of its range, as codes of the other are.
+
+/// In codes, of `nearness` = 1 - z / w, `steps` pixels from the anchor of a plane over vertices that differ by `range`. A
+/// code is rounded down from what `code` makes of it, whose slope is greater below than above.
+pub(crate) fn float_depth(code: fn(f64) -> f64, nearness: f64, steps: u64, range: f64) -> f64 {
+    let off = (interpolation(16, steps, 65_536.0 * range) + DEPTH_VERTEX * 65_536.0 / 65_528.0) * half(16);
+    code(nearness) - code(nearness - off)
+}
+
 // The transform.
 
 /// Of a clip coordinate: `factors` is the largest camera element times the largest of the pose, `largest` the largest
@@ -153,7 +162,11 @@ pub(crate) const DERIVED: [(&str, &str, &str); 21] = [
         "1/w",
         "`VERTEX_INVERSE`; in a scene twice that and `clip` over w, as the unit is a vertex's own",
     ),
-    ("depth", "beyond its code", "`interpolation` with 16 bits, and `DEPTH_VERTEX`"),
+    (
+        "depth",
+        "beyond its code",
+        "`interpolation` with 16 bits, and `DEPTH_VERTEX`; as a small float both in its codes, `float_depth`",
+    ),
     ("texels", "of 256", "256 times `per_pixel`"),
     ("texels", "of 32768", "32768 times `per_pixel`; divided, with `DIVIDED` for `RECIPROCAL`"),
     ("texels", "of 256 on the plane", "`interpolation` with 16 bits"),

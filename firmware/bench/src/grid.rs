@@ -4,7 +4,7 @@ use scenes::mesh::{GRID240, GRID240_TILTED};
 use scenes::texture::TEST_CARD;
 use topleft::stages::Traversal;
 use topleft::{
-    Affine, Cull, Depth16, Divided, DrawError, DrawList, Flat, Gouraud, Length, Material, Matrix,
+    Affine, Cull, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat, Gouraud, Length, Material, Matrix,
     MatrixCamera, Mesh, NoDepth, PerPixel, Portable, Pose, Subspans, Textured, Within,
 };
 
@@ -14,6 +14,7 @@ use crate::measure::{Bench, Buffers, Case, PANEL};
 pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
     bench.case(&FlatGrid, buffers);
     bench.case(&FlatDepthGrid, buffers);
+    bench.case(&FlatDepthFloatGrid, buffers);
     bench.case(&GouraudDepthGrid, buffers);
     bench.case(&AffineGrid, buffers);
     bench.case(&AffineDepthGrid, buffers);
@@ -90,6 +91,7 @@ macro_rules! cases {
 cases! {
     FlatGrid, "flat", NoDepth, FRONT, GRID240, Flat::new(Material::OfMesh);
     FlatDepthGrid, "flat+depth", Depth16, FRONT, GRID240, Flat::new(Material::OfMesh);
+    FlatDepthFloatGrid, "flat+depth-float", DepthFloat, FRONT, GRID240, Flat::new(Material::OfMesh);
     GouraudDepthGrid, "gouraud+depth", Depth16, FRONT, COLOURED, Gouraud::unlit(&Material::OfMesh);
     AffineGrid, "affine", NoDepth, FRONT, GRID240, Textured::new(&TEST_CARD, Affine);
     AffineDepthGrid, "affine+depth", Depth16, EYE, GRID240_TILTED, Textured::new(&TEST_CARD, Affine);

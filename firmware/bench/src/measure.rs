@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Size;
 use topleft::stages::Traversal;
-use topleft::{Depth, Depth16, DrawError, DrawList, ListTriangle, NoDepth, Spans, Strip};
+use topleft::{Depth, Depth16, DepthFloat, DrawError, DrawList, ListTriangle, NoDepth, Spans, Strip};
 
 use crate::crc::Crc;
 use crate::row::Row;
@@ -68,6 +68,12 @@ impl Buffered for NoDepth {
 impl Buffered for Depth16 {
     fn strip<'s>(colours: &'s mut [u16], depths: &'s mut [u16]) -> Strip<'s, u16, Self> {
         NoDepth::strip(colours, &mut []).with_depth(depths).expect(FITS)
+    }
+}
+
+impl Buffered for DepthFloat {
+    fn strip<'s>(colours: &'s mut [u16], depths: &'s mut [u16]) -> Strip<'s, u16, Self> {
+        NoDepth::strip(colours, &mut []).with_float_depth(depths).expect(FITS)
     }
 }
 

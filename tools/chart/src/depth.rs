@@ -4,7 +4,7 @@ use embedded_graphics_core::geometry::Size;
 use reference::raster::{covers, row_span};
 use reference::setup::{Cull, facing};
 use scenes::{Camera, Scene, View, by_name};
-use topleft::{Depth, Depth16, DrawList, ListTriangle, NoDepth, Strip};
+use topleft::{Depth, Depth16, DepthFloat, DrawList, ListTriangle, NoDepth, Strip};
 
 use crate::patches::{Frame, Patch};
 use crate::probe::{Probe, Seen, UNSEEN};
@@ -15,27 +15,27 @@ const PANEL: Size = Size::new(240, 240);
 /// Scenes of one mesh that hides itself, of things that stand on others, and of pairs that are ever closer together.
 const SCENES: [&str; 3] = ["knot", "teapot", "ladder"];
 
-/// A way to keep 16 bits of depth: linear on the screen as the library's, or 1/w as a small float.
+/// A way to keep 16 bits of depth: the library's, linear on the screen and as a small float with 4 bits of exponent; and 1/w
+/// as a small float with so many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Format {
     Linear,
-    Float(i32),
+    Float,
+    Model(i32),
 }
 
 impl Format {
-    /// The library's, and models of two others.
-    pub(crate) const ALL: [(&'static str, Self); 3] = [
-        ("Depth16", Self::Linear),
-        ("1/w as e3m13 (model)", Self::Float(3)),
-        ("1/w as e4m12 (model)", Self::Float(4)),
-    ];
+    /// The library's, and a model of another.
+    pub(crate) const ALL: [(&'static str, Self); 3] =
+        [("Depth16", Self::Linear), ("DepthFloat", Self::Float), ("1/w as e3m13 (model)", Self::Model(3))];
 
-    /// The code for a depth as the library's format has it, in codes with fractions, where far is `far` near planes off.
+    /// The code for a depth in codes of `Depth16` with fractions, where far is `far` near planes off.
     fn code(self, depth: f64, far: f64) -> u32 {
         let share = ((depth - 4.0) / 65_528.0).clamp(0.0, 1.0);
         match self {
-            Self::Linear => depth as u32,
-            Self::Float(exponent) => {
+            Self::Linear => code_of::<Depth16>(share),
+            Self::Float => code_of::<DepthFloat>(share),
+            Self::Model(exponent) => {
                 // Of the near plane's: 1 there and 1 / far at the other.
                 let q = (share * (far - 1.0) + 1.0) / far;
                 let (mantissa, last) = (16 - exponent, (1 << exponent) - 1);
@@ -50,14 +50,24 @@ impl Format {
 
     /// The least distance, as a share of how far away it is, that is told apart `distance` near planes off.
     fn resolution(self, distance: f64, far: f64) -> f64 {
+        let float = |exponent: i32| {
+            let least = 2.0_f64.powi(1 - (1 << exponent));
+            2.0_f64.powi(exponent - 16) * (least * distance).max(1.0)
+        };
         match self {
             Self::Linear => distance * (far - 1.0) / far / 65_528.0,
-            Self::Float(exponent) => {
-                let least = 2.0_f64.powi(1 - (1 << exponent));
-                2.0_f64.powi(exponent - 16) * (least * distance).max(1.0)
-            }
+            Self::Float => float(4),
+            Self::Model(exponent) => float(exponent),
         }
     }
+}
+
+/// What the library keeps of a share of its range.
+fn code_of<D: for<'c> Depth<Cell<'c> = &'c mut u16>>(share: f64) -> u32 {
+    let mut cell = 0;
+    // The cast saturates.
+    D::cover(&mut cell, D::varying(D::vertex(|| (share * 2.0_f64.powi(32)) as u32)));
+    cell.into()
 }
 
 /// How far the near and the far plane of a scene are apart.
@@ -156,8 +166,14 @@ impl Kept for Depth16 {
     }
 }
 
+impl Kept for DepthFloat {
+    fn strip<'s>(strip: Strip<'s, Seen, NoDepth>, depths: &'s mut [u16]) -> Strip<'s, Seen, Self> {
+        strip.with_float_depth(depths).expect("as many")
+    }
+}
+
 /// Pixels of each scene that show another face than the nearest, by what is kept of depth.
-pub(crate) fn inversions(costs: [Option<f64>; 2], mut done: impl FnMut()) -> Table {
+pub(crate) fn inversions(costs: [Option<f64>; 3], mut done: impl FnMut()) -> Table {
     let mut header = vec!["method", "m0_cycles_per_px"];
     header.extend(SCENES);
     let mut table = Table::new(&header);
@@ -187,8 +203,9 @@ pub(crate) fn inversions(costs: [Option<f64>; 2], mut done: impl FnMut()) -> Tab
                 library(drawn::<NoDepth>(scene)),
                 wrong(&|pixel| seen(&layers[pixel], |layer| layer.middle)),
                 library(drawn::<Depth16>(scene)),
+                library(drawn::<DepthFloat>(scene)),
             ];
-            for (_, format) in Format::ALL.into_iter().skip(1) {
+            for (_, format) in Format::ALL.into_iter().skip(2) {
                 counts.push(wrong(&|pixel| seen(&layers[pixel], |layer| format.code(layer.depth, far))));
             }
             done();
@@ -198,8 +215,8 @@ pub(crate) fn inversions(costs: [Option<f64>; 2], mut done: impl FnMut()) -> Tab
     let names = ["NoDepth, as listed", "sorted by triangle (model)"].into_iter();
     let names = names.chain(Format::ALL.map(|(name, _)| name));
     for (row, name) in names.enumerate() {
-        // Models have no cost of their own: they are drawn where the library's are, without a buffer and with one.
-        let cost = costs[usize::from(row > 1)].map_or(String::new(), figure);
+        // Models have no cost of their own: they are drawn where the library's are, without a buffer and with small floats.
+        let cost = costs[[0, 0, 1, 2, 2][row]].map_or(String::new(), figure);
         let counts: Vec<usize> = counted.iter().map(|counts| counts[row]).collect();
         let mut cells = vec![name.to_owned(), cost];
         cells.extend(counts.iter().map(usize::to_string));
@@ -220,7 +237,7 @@ pub(crate) fn resolution(mut done: impl FnMut()) -> Table {
     let far = far_of(ladder);
     let frame = Frame::new(ladder, PANEL, &View::default());
     let layers = layers(ladder, &frame);
-    let library = drawn::<Depth16>(ladder);
+    let (linear, float) = (drawn::<Depth16>(ladder), drawn::<DepthFloat>(ladder));
     for (name, format) in Format::ALL {
         for (place, object) in ladder.objects.iter().enumerate() {
             let distance = object.scale.to_num::<f64>() / NEAR;
@@ -228,10 +245,11 @@ pub(crate) fn resolution(mut done: impl FnMut()) -> Table {
             let first = place * 4 * CLOSER.len();
             let is_right = |pair: usize| {
                 let red = first + 4 * pair..first + 4 * pair + 2;
-                !layers.iter().zip(&library).any(|(layers, &library)| {
+                !layers.iter().zip(linear.iter().zip(&float)).any(|(layers, (&linear, &float))| {
                     let shown = match format {
-                        Format::Linear => library,
-                        Format::Float(_) => seen(layers, |layer| format.code(layer.depth, far)),
+                        Format::Linear => linear,
+                        Format::Float => float,
+                        Format::Model(_) => seen(layers, |layer| format.code(layer.depth, far)),
                     };
                     shown.is_some_and(|face| {
                         red.contains(&face)

@@ -8,7 +8,7 @@ use scenes::mesh::CUBE;
 use scenes::texture::BRICK;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, Divided, DrawError, DrawList, Flat, Gouraud,
+    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat, Gouraud,
     Length, ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth, PerPixel, Pixel,
     Portable, Pose, Strip, Subspans, Sun, Texture, Textured, Turn, Within, Wrap,
 };
@@ -74,6 +74,20 @@ pub(crate) fn without_depth(screen: &mut Screen) -> Result<(), Infallible> {
     let mut list: DrawList<'_, Rgb565, NoDepth> = storage.list();
     black_box(every_shader(&mut list)).ok();
     if let Ok(mut strip) = Strip::new(SIZE.width as u16, &mut colours) {
+        list.present(&mut strip, screen)?;
+    }
+    Ok(())
+}
+
+/// Rgb565 with depth as small floats, every kind of shader.
+pub(crate) fn with_float_depth(screen: &mut Screen) -> Result<(), Infallible> {
+    let mut storage: ListStorage<2400, 200> = ListStorage::new();
+    let (mut colours, mut depths) = ([Rgb565::BLACK; WIDTH * ROWS], [0; WIDTH * ROWS]);
+    let mut list: DrawList<'_, Rgb565, DepthFloat> = storage.list();
+    black_box(every_shader(&mut list)).ok();
+    if let Ok(strip) = Strip::new(SIZE.width as u16, &mut colours)
+        && let Ok(mut strip) = strip.with_float_depth(&mut depths)
+    {
         list.present(&mut strip, screen)?;
     }
     Ok(())

@@ -32,6 +32,7 @@ extern "C" fn _start() -> ! {
 
 fn draw(screen: &mut Screen) -> Result<(), Infallible> {
     frame::with_depth(screen)?;
+    frame::with_float_depth(screen)?;
     frame::without_depth(screen)?;
     frame::by_boxes(screen)?;
     #[cfg(feature = "camera")]

@@ -1,7 +1,6 @@
 //! Which share of surfaces behind each other gets one depth code, by the scene's depth and their distance.
 
-use reference::depth::code;
-use reference::transform::depth;
+use topleft::{Depth, Depth16, DepthFloat};
 
 use crate::axis::{Axis, Bar, Scale, ticks};
 use crate::canvas::Canvas;
@@ -13,10 +12,13 @@ const PAIRS: u32 = 997;
 /// The code at a distance of 1 (the near plane) to `far`.
 type Format = fn(f64, f64) -> u16;
 
-/// The library's: linear on the screen between the planes.
-fn linear(w: f64, far: f64) -> u16 {
-    let z = far / (far - 1.0) * (w - 1.0);
-    code(depth([0.0, 0.0, z, w]))
+/// The library's, which keep `1 - z / w` in 32 bits.
+fn library<D: for<'c> Depth<Cell<'c> = &'c mut u16>>(w: f64, far: f64) -> u16 {
+    let nearness = (far / w - 1.0) / (far - 1.0);
+    let mut cell = 0;
+    // The cast saturates.
+    D::cover(&mut cell, D::varying(D::vertex(|| (nearness * 2.0_f64.powi(32)) as u32)));
+    cell
 }
 
 /// 1/w as a small float with `EXPONENT` bits for its power of two, and the rest of 16 for its mantissa.
@@ -70,15 +72,15 @@ pub(crate) fn map() -> Canvas {
         line: ("bound: no tie above".into(), Box::new(move |far: f64, apart: f64| apart < resolution(far))),
     };
     let panels = vec![
-        panel("topleft: 4 + 65528 (1 - z/w)", linear, |far| (far - 1.0) / 65_528.0),
+        panel("Depth16: 4 + 65528 (1 - z/w)", library::<Depth16>, |far| (far - 1.0) / 65_528.0),
+        panel("DepthFloat: the same as e4m12", library::<DepthFloat>, float_resolution::<4>),
         panel("1/w, float e3m13 (model)", float::<3>, float_resolution::<3>),
-        panel("1/w, float e4m12 (model)", float::<4>, float_resolution::<4>),
     ];
     let bar = Bar { name: "tied pairs", ends: [1e-3, 1.0], ticks: ticks(&[0.001, 0.01, 0.1, 1.0]) };
     let notes = vec![
         "Share of pairs of surfaces that get the same code, at distances from near to far that grow by one factor.".into(),
-        "Bounds: (far/near - 1) / 65528 for what is linear on the screen, worst at the far plane; 2^-13 and 2^-12 for".into(),
-        "the floats, until the far plane is beyond their last power of two (2^7 and 2^15).".into(),
+        "Bounds: (far/near - 1) / 65528 for what is linear on the screen, worst at the far plane; 2^-12 and 2^-13 for".into(),
+        "the floats, until the far plane is beyond their last power of two (2^15 and 2^7).".into(),
     ];
     Map {
         title: "Where depth formats tie: surfaces with the same 16-bit code",

@@ -26,14 +26,14 @@ pub(super) fn draw(resolution: &Table, inversions: &Table) -> String {
                 let wrong = scenes.iter().filter_map(|scene| number(&row, scene)).sum();
                 let Some(cost) = number(&row, "m0_cycles_per_px") else { continue };
                 let [x, y] = panel.at(cost, wrong);
-                let place = place_of(&methods, row["method"]) as i32;
-                // Two without a buffer, three with one.
-                let aside = if place < 2 { ASIDE * (2 * place - 1) / 2 } else { ASIDE * (place - 3) };
+                let place = place_of(&methods, row["method"]);
+                // Two without a buffer, one with integers, two with small floats.
+                let aside = ASIDE * [-1, 1, 0, -1, 1][place % 5] / 2;
                 shape(&methods, row["method"]).draw(canvas, [x + aside, y], fill(row["method"]));
             }
         }
         canvas.text(
-            "hollow: a model, at the cost of none or of Depth16; side by side",
+            "hollow: a model, at the cost of none or of DepthFloat; side by side",
             [590, 544],
             13,
             [20; 3],

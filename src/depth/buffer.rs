@@ -1,0 +1,140 @@
+//! What all depth buffers of 16 bits have in common: their cells, and the loops over them.
+//!
+//! `1 - z / w` is interpolated in 32 fraction bits, between margins that keep the wrapping plane from crossing an end of its
+//! range. At each pixel a [`Code`] makes 16 bits of it: 0 is cleared, and greater is nearer.
+
+use core::ops::Range;
+
+use super::Depth;
+use crate::attributes::Words;
+use crate::math::format::DepthCode;
+
+/// How 32 bits of depth become 16.
+pub trait Code {
+    /// The far plane is at 2 to this, and the near plane as far from 2^32.
+    const MARGIN_BITS: u32;
+
+    /// The code of a depth, below 2^16: it never falls where depths grow, and is not 0 where there is something.
+    fn of(depth: u32) -> u32;
+}
+
+impl<C: Code> Depth for C {
+    type Vertex = DepthVertex;
+    type Varying = DepthCode;
+    type Plane<'p> = &'p mut [u16];
+    type Cell<'p> = &'p mut u16;
+    type Cells<'p> = core::slice::IterMut<'p, u16>;
+
+    #[inline]
+    fn vertex(nearness: impl FnOnce() -> u32) -> DepthVertex {
+        let near = nearness();
+        DepthVertex(DepthCode::from_bits(near - (near >> (31 - C::MARGIN_BITS)) + (1 << C::MARGIN_BITS)))
+    }
+
+    #[inline]
+    fn varying(vertex: DepthVertex) -> DepthCode {
+        vertex.0
+    }
+
+    #[inline]
+    fn reborrow<'p>(plane: &'p mut &mut [u16]) -> &'p mut [u16] {
+        plane
+    }
+
+    fn clear(plane: &mut &mut [u16]) {
+        plane.fill(0);
+    }
+
+    #[inline(always)]
+    fn span<'p>(plane: &'p mut &mut [u16], span: Range<usize>) -> Option<&'p mut [u16]> {
+        plane.get_mut(span)
+    }
+
+    #[inline(always)]
+    fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_> {
+        plane.iter_mut()
+    }
+
+    #[inline(always)]
+    fn runs(
+        mut cells: Self::Plane<'_>,
+        _: usize,
+        start: DepthCode,
+        step: DepthCode,
+        mut visible: impl FnMut(Range<usize>),
+    ) {
+        let (mut at, mut depth, step) = (0, start.to_bits(), step.to_bits());
+        // Visible first: most spans are visible to their end.
+        loop {
+            let nearer = cover::<C>(cells, depth, step);
+            if nearer != 0 {
+                visible(at..at + nearer);
+            }
+            let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
+            depth = depth.wrapping_add(step.wrapping_mul(nearer as u32));
+            let hidden = hidden::<C>(rest, depth, step);
+            let Some(rest) = rest.get_mut(hidden..).filter(|rest| !rest.is_empty()) else { return };
+            depth = depth.wrapping_add(step.wrapping_mul(hidden as u32));
+            at += nearer + hidden;
+            cells = rest;
+        }
+    }
+
+    #[inline(always)]
+    fn cover(cell: &mut u16, depth: DepthCode) -> bool {
+        let code = C::of(depth.to_bits());
+        let nearer = code > u32::from(*cell);
+        if nearer {
+            *cell = code as u16;
+        }
+        nearer
+    }
+}
+
+/// How many cells from the first on are as near as the plane, or nearer.
+#[inline(never)]
+fn hidden<C: Code>(cells: &[u16], mut depth: u32, step: u32) -> usize {
+    let mut count = 0;
+    for &cell in cells {
+        core::hint::black_box(());
+        if C::of(depth) > u32::from(cell) {
+            break;
+        }
+        depth = depth.wrapping_add(step);
+        count += 1;
+    }
+    count
+}
+
+/// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many they were.
+#[inline(never)]
+fn cover<C: Code>(cells: &mut [u16], mut depth: u32, step: u32) -> usize {
+    let mut count = 0;
+    for cell in cells {
+        // Keeps the loop as it is: unrolled, it needs more registers than a small core has.
+        core::hint::black_box(());
+        if !C::cover(cell, DepthCode::from_bits(depth)) {
+            break;
+        }
+        depth = depth.wrapping_add(step);
+        count += 1;
+    }
+    count
+}
+
+/// A vertex's depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DepthVertex(DepthCode);
+
+impl Words for DepthVertex {
+    const WORDS: usize = 1;
+
+    fn store(self, put: &mut impl FnMut(u32)) {
+        put(self.0.to_bits());
+    }
+
+    #[inline]
+    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+        words.next().map(|word| Self(DepthCode::from_bits(word)))
+    }
+}
