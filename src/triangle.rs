@@ -4,8 +4,8 @@ use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
-use crate::attributes::{Words, carried, mixed};
-use crate::clip::{ClipVertex, Outcode, Polygon, clip, least};
+use crate::attributes::{Carried, Words, carried, mixed};
+use crate::clip::{ClipVertex, Mix, Outcode, Polygon, clip, least};
 use crate::depth::NoDepth;
 use crate::math::format::{Attribute, SUBPIXELS};
 use crate::pipeline::{self, Vertices};
@@ -104,7 +104,7 @@ where
     }
 }
 
-/// Clips, fans and draws a triangle as clip vertices with a w of one.
+/// Draws a triangle by a shader.
 fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>>(
     shader: &S,
     points: [Snapped; 3],
@@ -114,11 +114,36 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
 ) -> Result<(), D::Error> {
     let bounds = target.bounding_box();
     let projection = Projection::of_pixels(Viewport::largest(bounds.size));
-    let ([a, b, c], [p, q, r]) = (points.map(position), attributes.map(carried));
-    let codes = [a, b, c].map(|at| Outcode::new(&at, &projection).0);
-    let [d, e, f] = codes;
+    let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
+    let mut display = Display { origin: bounds.top_left, window, target };
+    let mut result = Ok(());
+    fan(&projection, points, attributes.map(carried), &mixed::<S::Vertex>, &mut |setup, corners| {
+        let [Some(a), Some(b), Some(c)] = corners.map(|words| S::Vertex::load(&mut words.iter().copied()))
+        else {
+            return true;
+        };
+        let vertices =
+            Vertices { depths: [(); 3], inverses: [PerVertexInverse::ONE; 3], attributes: [a, b, c], colour };
+        result = pipeline::draw::<C, S, Spans, NoDepth, _>(setup, *shader, vertices, &mut display);
+        result.is_ok()
+    });
+    result
+}
+
+/// Clips a triangle, as clip vertices with a w of one, and calls `draw` with each of the fan that is left, until it says
+/// that this was the last. Whatever the shader is, this is linked once.
+#[inline(never)]
+fn fan(
+    projection: &Projection,
+    points: [Snapped; 3],
+    carried: [Carried; 3],
+    mix: Mix<'_>,
+    draw: &mut dyn FnMut(&Setup, [&Carried; 3]) -> bool,
+) {
+    let ([a, b, c], [p, q, r]) = (points.map(position), carried);
+    let [d, e, f] = [a, b, c].map(|at| Outcode::new(&at, projection).0);
     if d & e & f != 0 {
-        return Ok(());
+        return;
     }
     let snap = |vertex: &ClipVertex| projection.project(&vertex.position, Projection::inverse(ONE));
     let mut places = [Polygon::new(), Polygon::new()];
@@ -126,15 +151,14 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     for (position, carried) in [(a, p), (b, q), (c, r)] {
         let _ = triangle.push(ClipVertex { position, carried });
     }
-    let polygon = clip(Outcode(d | e | f), &projection, &mixed::<S::Vertex>, &mut places);
+    let polygon = clip(Outcode(d | e | f), projection, mix, &mut places);
     let least = least(polygon, |_, vertex| {
         let (at, (y, x)) = (vertex.position, snap(vertex).order());
         [y, x, at.x, at.y]
     });
     let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
-    let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
     let mut fan = from.iter().chain(before);
-    let (Some(first), Some(second)) = (fan.next(), fan.next()) else { return Ok(()) };
+    let (Some(first), Some(second)) = (fan.next(), fan.next()) else { return };
     let area = |middle, last| area2(snap(first), snap(middle), snap(last));
     // Which way round all of it is. Snapped, a polygon can be dented by a step.
     let (turn, _) = fan.clone().fold((0, second), |(sum, middle), last| (sum + area(middle, last), last));
@@ -146,21 +170,13 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
         }
         let vertices = [first, middle, last];
         let order = canonical(vertices.map(snap)).map(|i| vertices.get(i).copied().unwrap_or(first));
-        let [a, b, c] = order.map(|vertex| S::Vertex::load(&mut vertex.carried.iter().copied()));
-        if let (Some(setup), Some(a), Some(b), Some(c)) = (Setup::sorted(order.map(snap)), a, b, c) {
-            let vertices = Vertices {
-                depths: [(); 3],
-                inverses: [PerVertexInverse::ONE; 3],
-                attributes: [a, b, c],
-                colour,
-            };
-            let mut display =
-                Display { origin: bounds.top_left, window: window.clone(), target: &mut *target };
-            pipeline::draw::<C, S, Spans, NoDepth, _>(&setup, *shader, vertices, &mut display)?;
+        let drawn =
+            Setup::sorted(order.map(snap)).map(|setup| draw(&setup, order.map(|vertex| &vertex.carried)));
+        if drawn == Some(false) {
+            return;
         }
         middle = last;
     }
-    Ok(())
 }
 
 /// The w of flat drawings.

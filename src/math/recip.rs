@@ -167,9 +167,23 @@ pub(crate) fn normalise(vector: [i32; 3]) -> [i32; 3] {
     // 30 bits a component: the squares of three fit.
     let scaled = vector.map(|c| if zeros >= 0 { i64::from(c) << zeros } else { i64::from(c) >> -zeros });
     let squares = scaled.iter().fold(0_u64, |sum, c| sum + (c * c) as u64);
-    let length = squares.isqrt().max(1);
+    let length = root(squares).max(1);
     let inverse = vertex_of_length(length);
     scaled.map(|c| ((c * inverse + (1 << 31)) >> 32) as i32)
+}
+
+/// The square root, rounded down: bit by bit, once a normal. The one of `core` links a division of 64 bits.
+fn root(square: u64) -> u64 {
+    let (mut root, mut rest) = (0, square);
+    for place in (0..32).rev() {
+        let bit = 1 << (2 * place);
+        let more = root + bit;
+        root >>= 1;
+        if rest >= more {
+            (rest, root) = (rest - more, root + bit);
+        }
+    }
+    root
 }
 
 /// `2^62 / length` for a length in [2^30, 2^32): a vector with a component in [2^30, 2^31).
@@ -187,6 +201,17 @@ mod tests {
         let knots = (0..128).map(|i| (1 << 31) + (i << 24));
         let walk = (1_u64..200_000).map(|i| (1 << 31) | (i.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 33) as u32);
         knots.chain(walk)
+    }
+
+    // Red when a bit is left out, or the rest is not taken along.
+    #[test]
+    fn a_root_is_rounded_down() {
+        let squares = (0..10_000).map(|k| u64::from(u32::MAX) - k).map(|root| root * root);
+        for square in squares.chain(0..10_000).chain([u64::MAX, u64::MAX >> 1]) {
+            for square in [square.saturating_sub(1), square, square.saturating_add(1)] {
+                assert_eq!(root(square), square.isqrt(), "{square}");
+            }
+        }
     }
 
     // Red when an entry is not rounded to nearest, or its difference is another's.
