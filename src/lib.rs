@@ -112,6 +112,7 @@
 mod math;
 
 mod mesh;
+mod convex;
 mod texture;
 mod blob;
 
