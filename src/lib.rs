@@ -131,6 +131,7 @@ mod varying;
 mod setup;
 mod raster;
 mod depth;
+
 mod run;
 mod pixel;
 mod shade;
@@ -142,8 +143,8 @@ mod triangle;
 
 pub use blob::{Aligned, BlobError};
 pub use camera::{Camera, MatrixCamera, Orthographic, Perspective};
-pub use depth::{Depth, Depth16, NoDepth};
-pub use list::{DrawError, DrawList, ListStorage, ListTriangle, Stats};
+pub use depth::{Depth, Depth16, NoDepth, Painter};
+pub use list::{DrawError, DrawList, ListStorage, ListTriangle, SortError, Stats};
 pub use math::format::{Attribute, Coord, DepthCode, Inverse, Length};
 pub use math::matrix::Matrix;
 pub use math::turn::Turn;

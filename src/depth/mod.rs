@@ -1,6 +1,7 @@
 //! Stage 6. Which pixels of a span are visible, before any of them is shaded.
 //!
-//! Each way to decide it has a file: [`NoDepth`] does not, and [`Depth16`] keeps the nearest depth of each pixel.
+//! Each way to decide it has a file: [`NoDepth`] does not, [`Painter`] has decided before, and [`Depth16`] keeps the
+//! nearest depth of each pixel.
 
 use core::ops::Range;
 
@@ -9,9 +10,12 @@ use crate::varying::Varying;
 
 mod depth16;
 mod none;
+mod painter;
 
 pub use depth16::Depth16;
 pub use none::NoDepth;
+pub(crate) use painter::Nearness;
+pub use painter::Painter;
 
 /// What hides what. A type parameter: a list without depth has no buffer, no cycle and no code for it.
 pub trait Depth {

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 
 use topleft::stages::Traversal;
-use topleft::{Depth, Depth16, DrawList, NoDepth, Pixel, Strip};
+use topleft::{Depth, Depth16, DrawList, ListTriangle, NoDepth, Painter, Pixel, Strip};
 
 use super::same;
 
@@ -31,11 +31,24 @@ impl<P: PartialEq + Debug> Frame<P> {
 /// A depth, and how a strip of it is made: without depth, the depths stay as they are.
 pub(crate) trait Strips: Depth + Sized {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], depths: &'s mut [u16]) -> Strip<'s, P, Self>;
+
+    /// Puts a list in order, where it has one.
+    fn sort<P, T>(_: &mut DrawList<'_, P, Self, T>) {}
 }
 
 impl Strips for NoDepth {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], _: &'s mut [u16]) -> Strip<'s, P, Self> {
         Strip::new(width, colours).expect("whole rows")
+    }
+}
+
+impl Strips for Painter {
+    fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], _: &'s mut [u16]) -> Strip<'s, P, Self> {
+        Strip::new(width, colours).expect("whole rows").for_painter()
+    }
+
+    fn sort<P, T>(list: &mut DrawList<'_, P, Self, T>) {
+        list.sort(&mut vec![ListTriangle::EMPTY; list.stats().drawn]).expect("as many");
     }
 }
 
