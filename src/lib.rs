@@ -131,7 +131,7 @@ mod varying;
 mod setup;
 mod raster;
 mod depth;
-
+mod hiding;
 mod run;
 mod pixel;
 mod shade;
@@ -144,6 +144,7 @@ mod triangle;
 pub use blob::{Aligned, BlobError};
 pub use camera::{Camera, MatrixCamera, Orthographic, Perspective};
 pub use depth::{Depth, Depth16, NoDepth, Painter};
+pub use hiding::Hiding;
 pub use list::{DrawError, DrawList, ListStorage, ListTriangle, SortError, Stats};
 pub use math::format::{Attribute, Coord, DepthCode, Inverse, Length};
 pub use math::matrix::Matrix;
