@@ -18,7 +18,7 @@ const MOST_APART: usize = 32;
 /// ```
 /// use embedded_graphics_core::geometry::Size;
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-/// use topleft::{DrawError, Hiding, Length, ListStorage, ListTriangle, Perspective, Pose, Strip, Turn};
+/// use topleft::{DrawError, Hiding, Length, ListStorage, Perspective, Pose, Strip, Turn};
 /// # use topleft::{Depth, DrawList, Flat, Material};
 /// # use scenes::mesh::CUBE;
 ///
@@ -44,7 +44,7 @@ const MOST_APART: usize = 32;
 ///     Hiding::Painter => {
 ///         let mut list = storage.list();
 ///         draw(&mut list, &camera, &things)?;
-///         list.sort(&mut [ListTriangle::EMPTY; 24])?;
+///         list.sort(&mut [[0; 3]; 24])?;
 ///         list.render(0..64, &mut frame.for_painter());
 ///     }
 ///     _ => {

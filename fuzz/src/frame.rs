@@ -3,20 +3,21 @@
 use arbitrary::Arbitrary;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::RgbColor;
-use topleft::{Cull, Depth16, Material, NoDepth, Sun};
+use topleft::{Cull, Depth16, Material, NoDepth, Painter, Sun};
 
 use crate::lens::{Lens, Target};
 use crate::numbers::{Mostly, Number, Place};
 use crate::picture::{Item, Look, Picture};
 use crate::soup::{Image, Soup};
+use crate::support::frame::Strips;
 
 /// Any meshes in any places, seen by any camera, drawn into a list of any size and rendered in strips of any height.
 #[derive(Arbitrary, Clone, Debug)]
 pub struct Frame {
     target: Target,
     lens: Lens,
-    /// With depth, as 16-bit colours; or without, as 24-bit ones.
-    deep: bool,
+    /// What hides what: the lowest bit says whether there is a depth, and the next whether a list without one is sorted.
+    hiding: u8,
     /// Words and triangles of the list: usually enough.
     storage: Mostly<(), [u16; 2]>,
     window: [u8; 2],
@@ -93,7 +94,11 @@ impl Frame {
             height: usize::from(self.strip_height % MOST) + 1,
             display: self.display.map(|length| (length % MOST).into()),
         };
-        let seen = if self.deep { check_deep(&picture) } else { check_flat(&picture) };
+        let seen = match self.hiding & 3 {
+            0 => check_flat::<NoDepth>(&picture),
+            2 => check_flat::<Painter>(&picture),
+            _ => check_deep(&picture),
+        };
         seen.unwrap_or_else(|error| panic!("{error}\n{self:#?}"))
     }
 }
@@ -113,7 +118,7 @@ fn check_deep(picture: &Picture<'_>) -> Result<usize, String> {
 }
 
 /// 24-bit colours without depth.
-fn check_flat(picture: &Picture<'_>) -> Result<usize, String> {
-    let frame = picture.check::<Rgb888, NoDepth>()?;
+fn check_flat<D: Strips>(picture: &Picture<'_>) -> Result<usize, String> {
+    let frame = picture.check::<Rgb888, D>()?;
     Ok(frame.colours.iter().filter(|&&colour| colour != Rgb888::BLACK).count())
 }

@@ -6,15 +6,15 @@ use super::{DrawList, ListTriangle};
 use crate::attributes::Words;
 use crate::depth::{Nearness, Painter};
 
-/// Digits of a key: two of 8 bits.
-const DIGITS: [u32; 2] = [0, 8];
+/// Triangles that 16 bits can tell apart.
+const MOST_SORTED: usize = 1 << 16;
 
 /// Why a list was not sorted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SortError {
-    /// The scratch is shorter than the list.
+    /// The scratch is shorter than the list, or the list longer than 65 536 triangles.
     Short {
-        /// Triangles that it has no room for.
+        /// Triangles that there is no room for.
         triangles: usize,
     },
 }
@@ -35,8 +35,8 @@ impl<P, T> DrawList<'_, P, Painter, T> {
     /// Sort once a frame, when all meshes are drawn. What is drawn afterwards lies over all that was sorted, which suits
     /// a display over the scene, until the list is sorted again.
     ///
-    /// It takes time in proportion to the triangles, and 1 KB of stack. What the scratch holds does not matter, before or
-    /// after.
+    /// The scratch has 6 bytes for each triangle; what it holds does not matter, before or after. It takes 1 KB of stack,
+    /// and time in proportion to the triangles.
     ///
     /// ```
     /// use embedded_graphics_core::geometry::Size;
@@ -52,8 +52,8 @@ impl<P, T> DrawList<'_, P, Painter, T> {
     /// let mut list = DrawList::new(&mut vertices, &mut triangles);
     /// list.draw(&camera, &mesh, &nearer, &Flat::new(Rgb565::GREEN)).unwrap();
     /// list.draw(&camera, &mesh, &Pose::new(), &Flat::new(Rgb565::RED)).unwrap();
-    /// assert_eq!(list.sort(&mut [ListTriangle::EMPTY; 1]), Err(SortError::Short { triangles: 1 }));
-    /// assert_eq!(list.sort(&mut [ListTriangle::EMPTY; 2]), Ok(()));
+    /// assert_eq!(list.sort(&mut [[0; 3]; 1]), Err(SortError::Short { triangles: 1 }));
+    /// assert_eq!(list.sort(&mut [[0; 3]; 2]), Ok(()));
     ///
     /// let mut colours = [Rgb565::BLACK; 64];
     /// let mut frame = Strip::new(8, &mut colours).unwrap().for_painter();
@@ -62,55 +62,103 @@ impl<P, T> DrawList<'_, P, Painter, T> {
     /// ```
     ///
     /// # Errors
-    /// The scratch is shorter than the list, which stays as it was.
-    pub fn sort(&mut self, scratch: &mut [ListTriangle]) -> Result<(), SortError> {
+    /// The scratch is shorter than the list, or the list longer than 65 536 triangles; it stays as it was.
+    pub fn sort(&mut self, scratch: &mut [[u16; 3]]) -> Result<(), SortError> {
         let Self { words, triangles, used_triangles, shaders, .. } = self;
         let triangles = triangles.get_mut(..*used_triangles).unwrap_or_default();
-        let length = triangles.len();
-        let Some(scratch) = scratch.get_mut(..length) else {
-            return Err(SortError::Short { triangles: length - scratch.len() });
+        let room = scratch.len().min(MOST_SORTED);
+        let Some(scratch) = scratch.get_mut(..triangles.len()).filter(|scratch| scratch.len() <= room) else {
+            return Err(SortError::Short { triangles: triangles.len() - room });
         };
-        let key = |triangle: &ListTriangle| {
+        let (mut low, mut high) = ([0; DIGITS], [0; DIGITS]);
+        for (triangle, [key, ..]) in triangles.iter().zip(scratch.iter_mut()) {
             let block = shaders.get(usize::from(triangle.shader)).map(|kept| kept.block).unwrap_or_default();
-            let (base, stride) = (block.base(), block.stride());
             let depth = |vertex: u16| {
                 // It follows x and y.
-                let mut words =
-                    words.get(base + usize::from(vertex) * stride + 2..).unwrap_or_default().iter();
-                Nearness::load(&mut words.by_ref().copied()).unwrap_or_default()
+                let word = block.base() + usize::from(vertex) * block.stride() + 2;
+                Nearness::load(&mut words.get(word).copied().into_iter()).unwrap_or_default()
             };
             let [a, b, c] = triangle.vertices;
-            Nearness::key([depth(a), depth(b), depth(c)])
-        };
-        let [low, high] = DIGITS;
-        by_digit(triangles, scratch, low, &key);
-        by_digit(scratch, triangles, high, &key);
+            *key = Nearness::key([depth(a), depth(b), depth(c)]);
+            next(&mut low, *key as u8);
+            next(&mut high, (*key >> 8) as u8);
+        }
+        sum_up(&mut low);
+        sum_up(&mut high);
+        by_digits(scratch, &mut low, &mut high);
+        reorder(triangles, scratch);
         Ok(())
     }
 }
 
-/// Copies triangles in the order of a digit of their keys; those with the same one stay in order.
-#[inline(never)]
-fn by_digit(from: &[ListTriangle], to: &mut [ListTriangle], shift: u32, key: &impl Fn(&ListTriangle) -> u16) {
-    let digit = |triangle: &ListTriangle| usize::from((key(triangle) >> shift) as u8);
-    // Where the next triangle with each digit goes.
-    let mut places = [0_usize; 256];
-    for triangle in from {
-        if let Some(count) = places.get_mut(digit(triangle)) {
-            *count += 1;
+/// Values of a digit of 8 bits.
+const DIGITS: usize = 1 << 8;
+
+/// How many triangles have each digit, or the place where the next of them goes: the largest place is 65 535.
+type Places = [u16; DIGITS];
+
+/// The place of the next triangle with a digit.
+#[inline(always)]
+fn next(places: &mut Places, digit: u8) -> usize {
+    let Some(place) = places.get_mut(usize::from(digit)) else { return 0 };
+    let here = *place;
+    // All of 65 536 triangles may have the same one: that count is not read again.
+    *place = here.wrapping_add(1);
+    usize::from(here)
+}
+
+/// From how many triangles have a digit to how many have a lower one.
+fn sum_up(places: &mut Places) {
+    let mut before = 0_u16;
+    for place in places {
+        black_box(());
+        before = before.wrapping_add(core::mem::replace(place, before));
+    }
+}
+
+/// From keys to the places that triangles come from, in order: by the low digit first, then by the high one, among whose
+/// equals the order stays.
+fn by_digits(scratch: &mut [[u16; 3]], low: &mut Places, high: &mut Places) {
+    for from in 0..scratch.len() {
+        // Here and below, it keeps the loop as it is: unrolled, it needs more registers than a small core has.
+        black_box(());
+        let Some(&[key, ..]) = scratch.get(from) else { return };
+        if let Some([_, by_low, _]) = scratch.get_mut(next(low, key as u8)) {
+            *by_low = from as u16;
         }
     }
-    let mut before = 0;
-    for place in &mut places {
+    for at in 0..scratch.len() {
         black_box(());
-        before += core::mem::replace(place, before);
+        let Some(&[_, from, _]) = scratch.get(at) else { return };
+        let Some(&[key, ..]) = scratch.get(usize::from(from)) else { return };
+        if let Some([.., by_both]) = scratch.get_mut(next(high, (key >> 8) as u8)) {
+            *by_both = from;
+        }
     }
-    for triangle in from {
-        if let Some(place) = places.get_mut(digit(triangle)) {
-            if let Some(to) = to.get_mut(*place) {
-                *to = *triangle;
+}
+
+/// Moves each triangle to its place, ring by ring: what was in a place goes to another, until one ends in the first.
+fn reorder(triangles: &mut [ListTriangle], scratch: &mut [[u16; 3]]) {
+    for first in 0..scratch.len() {
+        let Some(&held) = triangles.get(first) else { return };
+        let mut to = first;
+        // A ring has no more places than there are.
+        for _ in 0..scratch.len() {
+            let Some([.., source]) = scratch.get_mut(to) else { return };
+            // In place from now on.
+            let from = usize::from(core::mem::replace(source, to as u16));
+            if from == to {
+                break;
             }
-            *place += 1;
+            let triangle = if from == first { Some(&held) } else { triangles.get(from) };
+            let Some(&triangle) = triangle else { return };
+            if let Some(place) = triangles.get_mut(to) {
+                *place = triangle;
+            }
+            if from == first {
+                break;
+            }
+            to = from;
         }
     }
 }
@@ -168,7 +216,7 @@ mod tests {
         triangles.resize(count + 3, ListTriangle::EMPTY);
         let mut list = DrawList::<u16, Painter, Spans>::with_traversal(&mut words, &mut triangles);
         (list.used_triangles, list.shaders) = (count, shaders);
-        let mut scratch = std::vec![ListTriangle { shader: 200, ..ListTriangle::EMPTY }; count + 1];
+        let mut scratch = std::vec![[0xDEAD; 3]; count + 1];
         prop_assert_eq!(list.sort(&mut scratch), Ok(()));
         let sorted: Vec<[u8; 3]> = list.triangles[..count].iter().map(|triangle| triangle.colour).collect();
         let expected: Vec<[u8; 3]> = expected.iter().map(|(_, colour)| *colour).collect();

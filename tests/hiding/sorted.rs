@@ -28,7 +28,7 @@ fn listed<T: Traversal, R>(
     let (mut words, mut triangles) = (vec![0; 1 << 14], vec![ListTriangle::EMPTY; 4000]);
     let mut list = DrawList::<u16, Painter, T>::with_traversal(&mut words, &mut triangles);
     scene.draw(&mut list, SIZE, &View::default()).expect("it is long enough");
-    let mut scratch = vec![ListTriangle::EMPTY; list.stats().drawn.saturating_add_signed(more)];
+    let mut scratch = vec![[0; 3]; list.stats().drawn.saturating_add_signed(more)];
     let result = list.sort(&mut scratch);
     with(&list, result)
 }
@@ -82,11 +82,11 @@ fn what_is_drawn_after_sorting_lies_over_the_rest_until_it_is_sorted_again() {
     list.draw(&camera, &mesh, &at("-3"), &Flat::new(Rgb565::RED)).unwrap();
     list.draw(&camera, &mesh, &at("-4"), &Gouraud::unlit(&Material::from(Rgb888::GREEN))).unwrap();
     assert_eq!(middle(&list), green);
-    list.sort(&mut [ListTriangle::EMPTY; 8]).unwrap();
+    list.sort(&mut [[0; 3]; 8]).unwrap();
     assert_eq!(middle(&list), red);
     list.draw(&camera, &mesh, &at("-5"), &Flat::new(Rgb565::BLUE)).unwrap();
     assert_eq!(middle(&list), blue);
-    list.sort(&mut [ListTriangle::EMPTY; 8]).unwrap();
+    list.sort(&mut [[0; 3]; 8]).unwrap();
     assert_eq!(middle(&list), red);
 }
 
@@ -112,7 +112,7 @@ fn any_mesh_can_be_sorted_and_once_more_changes_nothing() {
                 Err(error) => return Err(error.to_string()),
             }
         }
-        let mut scratch = vec![ListTriangle::EMPTY; list.stats().drawn];
+        let mut scratch = vec![[0; 3]; list.stats().drawn];
         list.sort(&mut scratch).map_err(|error| error.to_string())?;
         let once = frame(&list, 32);
         list.sort(&mut scratch).map_err(|error| error.to_string())?;

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 
 use topleft::stages::Traversal;
-use topleft::{Depth, Depth16, DrawList, ListTriangle, NoDepth, Painter, Pixel, Strip};
+use topleft::{Depth, Depth16, DrawList, NoDepth, Painter, Pixel, Strip};
 
 use super::same;
 
@@ -32,7 +32,10 @@ impl<P: PartialEq + Debug> Frame<P> {
 pub(crate) trait Strips: Depth + Sized {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], depths: &'s mut [u16]) -> Strip<'s, P, Self>;
 
-    /// Puts a list in order, where it has one.
+    /// Whether a list has an order of its own, whatever it is drawn in.
+    const SORTED: bool = false;
+
+    /// Puts it in that order.
     fn sort<P, T>(_: &mut DrawList<'_, P, Self, T>) {}
 }
 
@@ -43,12 +46,14 @@ impl Strips for NoDepth {
 }
 
 impl Strips for Painter {
+    const SORTED: bool = true;
+
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], _: &'s mut [u16]) -> Strip<'s, P, Self> {
         Strip::new(width, colours).expect("whole rows").for_painter()
     }
 
     fn sort<P, T>(list: &mut DrawList<'_, P, Self, T>) {
-        list.sort(&mut vec![ListTriangle::EMPTY; list.stats().drawn]).expect("as many");
+        list.sort(&mut vec![[0; 3]; list.stats().drawn]).expect("as many");
     }
 }
 

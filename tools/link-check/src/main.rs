@@ -33,6 +33,8 @@ extern "C" fn _start() -> ! {
 fn draw(screen: &mut Screen) -> Result<(), Infallible> {
     frame::with_depth(screen)?;
     frame::without_depth(screen)?;
+    frame::in_painters_order(screen)?;
+    frame::cheapest();
     frame::by_boxes(screen)?;
     #[cfg(feature = "camera")]
     with_camera::draw(screen)?;
