@@ -65,8 +65,9 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
     }
     bar.set_message("depth");
     let m0plus = &inputs.cores[0];
-    let flat = ["flat", "flat+depth"].map(|way| m0plus.per_pixel("grid240", way, "16"));
-    let inversions = depth::inversions(flat, || bar.inc(1));
+    let [flat, deep] = ["flat", "flat+depth"].map(|way| m0plus.per_pixel("grid240", way, "16"));
+    let sorted = m0plus.per_pixel_from_the_list("grid240", ["flat+painter", "flat"]);
+    let inversions = depth::inversions([flat, sorted, deep], || bar.inc(1));
     let resolution = depth::resolution(|| bar.inc(1));
     bar.set_message("time on this machine");
     let times = if keep_host { Vec::new() } else { host::all(|| bar.inc(1)) };

@@ -33,7 +33,7 @@ pub(super) fn draw(resolution: &Table, inversions: &Table) -> String {
             }
         }
         canvas.text(
-            "hollow: a model, at the cost of none or of Depth16; side by side",
+            "hollow: a model, at the cost of Depth16; side by side",
             [590, 544],
             13,
             [20; 3],
