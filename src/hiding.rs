@@ -132,7 +132,7 @@ impl Hiding {
         };
         let beyond = ((i64::from(z) - i64::from(w)) << 31).checked_div(i64::from(w));
         let Some(beyond) = beyond else { return Self::Depth16 };
-        let depth = u64::from(farthest) + 2 * beyond.clamp(0, 1 << 40).unsigned_abs();
+        let depth = u64::from(farthest) + 2 * beyond.max(0).unsigned_abs();
         let gap = u64::from(gap.to_bits().max(0).unsigned_abs());
         // The small float has 12 bits of each octave: from the fourth one down its steps are less than a code.
         if gap.saturating_mul(depth) >= CODE || farthest >= 1 << 28 {
@@ -153,4 +153,24 @@ fn are_apart(ranges: &[(&Mesh<'_>, [u16; 2])]) -> bool {
         rest = others;
     }
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when ranges may touch, when one may lie in another, or when only neighbours are compared.
+    #[test]
+    fn ranges_are_apart_where_they_have_no_number_in_common() {
+        let mesh = Mesh::new(&[], &[]).unwrap();
+        let apart = |ranges: &[[u16; 2]]| {
+            let ranges: Vec<_, MOST_APART> = ranges.iter().map(|&range| (&mesh, range)).collect();
+            are_apart(&ranges)
+        };
+        assert!(
+            apart(&[]) && apart(&[[3, 5]]) && apart(&[[3, 5], [6, 9]]) && apart(&[[6, 9], [3, 5], [1, 2]])
+        );
+        assert!(!apart(&[[3, 5], [5, 9]]) && !apart(&[[5, 9], [3, 5]]) && !apart(&[[3, 9], [5, 6]]));
+        assert!(!apart(&[[5, 6], [3, 9]]) && !apart(&[[3, 3], [7, 8], [3, 3]]));
+    }
 }

@@ -294,3 +294,71 @@ impl Projection {
         Snapped::from_bits(x, y)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::geometry::Size;
+
+    use super::*;
+    use crate::camera::{MatrixCamera, Perspective};
+    use crate::math::format::Length;
+    use crate::math::turn::Turn;
+
+    // Red when a corner is left out, when there is no margin, and when what comes near the eye's plane has bounds.
+    #[test]
+    fn what_a_list_keeps_of_a_box_lies_within_its_depths() {
+        let mut random = 1_u64;
+        let mut next = || {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) as u32
+        };
+        let (mut seen, mut bounded) = (0, 0);
+        for round in 0..20_000 {
+            let far = [2.0, 30.0, 1000.0][round % 3];
+            let size = Size::new(64, 64);
+            let camera = Perspective::new(size, Turn::from_degrees(60), 0.5..far);
+            // And where w says nothing of z.
+            let any =
+                Matrix::new([[(); 4]; 4].map(|row| row.map(|()| Length::from_bits(next() as i32 >> 14))));
+            let matrix = if round % 5 == 0 { any } else { *camera.matrix() };
+            let camera = MatrixCamera::<true>::new(size, matrix);
+            // Level boxes have whole faces of one depth, where only rounding differs.
+            let turn = Turn::new(if round % 2 == 0 { 0 } else { next() as u16 });
+            let [x, y] = [next(), next()].map(|bits| Length::from_bits(bits as i32 % (1 << 17)));
+            let away = Length::from_bits(-((next() >> (round % 14 + 9)) as i32));
+            let pose = Pose::new().turned_y(turn).turned_x(turn).at([x, y, away]);
+            let corners = [next(), next(), next(), next(), next(), next()].map(|bits| bits as i16);
+            let [a, b, c, d, e, f] = corners;
+            let positions = [[a, b, c], [d, e, f]];
+            let mesh = Mesh::new(&positions, &[[0, 1, 0]]).unwrap();
+            let half = Length::from_bits(1 + (next() >> (round % 11 + 11)) as i32);
+            let mesh = mesh.with_box([Length::ZERO; 3], half);
+            let transform = Transform::new(&camera, &mesh, &pose).unwrap();
+            let [least, greatest] = transform.depths(mesh.bounds());
+            let [low, high] = mesh.bounds();
+            bounded += usize::from(least > 0 || greatest < u32::MAX);
+            for _ in 0..30 {
+                let kinds = next();
+                let vertex = [0, 1, 2].map(|axis| match kinds >> (2 * axis) & 3 {
+                    0 => low[axis],
+                    1 => high[axis],
+                    _ => {
+                        let length = i64::from(high[axis]) - i64::from(low[axis]) + 1;
+                        (i64::from(low[axis]) + i64::from(next()) % length) as i16
+                    }
+                });
+                let at = transform.position(vertex);
+                if at.z < 0 || at.z > at.w {
+                    continue;
+                }
+                let nearness = Projection::nearness(&at, Projection::inverse(at.w));
+                assert!(
+                    least <= nearness && nearness <= greatest,
+                    "{vertex:?}: {nearness} not in {least}..{greatest}"
+                );
+                seen += 1;
+            }
+        }
+        assert!(seen > 100_000 && bounded > 5_000, "{seen} {bounded}");
+    }
+}

@@ -107,7 +107,7 @@ mod tests {
     fn depths() -> impl Iterator<Item = u32> {
         (0..32).flat_map(|bit| {
             let one = 1_u32 << bit;
-            let part = move |part: u32| (u64::from(one) * u64::from(part) >> 10) as u32;
+            let part = move |part: u32| ((u64::from(one) * u64::from(part)) >> 10) as u32;
             [one - 1, one].into_iter().chain((1..1024).map(move |k| one + part(k)))
         })
     }
@@ -131,7 +131,7 @@ mod tests {
     // Red when a key has less than 11 bits of an octave, or as many of the whole range as a linear one.
     #[test]
     fn keys_tell_apart_a_2048th_of_a_depth_down_to_2_to_the_minus_14() {
-        for depth in depths().filter(|&depth| depth >= 1 << 18 && depth < u32::MAX - (1 << 22)) {
+        for depth in depths().filter(|depth| (1 << 18..u32::MAX - (1 << 22)).contains(depth)) {
             let [further, nearer] =
                 [depth, depth + (depth >> 11) + 1].map(|depth| Nearness::key([Nearness::new(depth); 3]));
             assert!(further < nearer, "{depth:#x}");

@@ -33,7 +33,7 @@ fn listed<T: Traversal, R>(
     with(&list, result)
 }
 
-// Red when a list is sorted as it is rendered, or when what hides what depends on a strip.
+// Red when a strip shows other rows than its own, or when a traversal leaves out what is covered already.
 #[test]
 fn a_sorted_list_gives_the_same_bytes_in_strips_and_by_boxes() {
     for scene in SCENES {
