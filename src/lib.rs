@@ -47,6 +47,9 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
+//! Without a depth buffer, [`DrawList::sort`] puts a list in painter's order, and one convex mesh needs only its back faces
+//! culled: [`Hiding::cheapest`] tells which way is safe for a scene.
+//!
 //! The same list into a whole frame is `list.render(0..240, &mut frame)`, with a strip as tall as the target. Rendering
 //! changes nothing in the list, so two cores can render different rows of it.
 //!
@@ -73,7 +76,8 @@
 //!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
 //!    `tools/link-check`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
-//!    without them has no buffer, no cycle and no code for them. (`firmware/measure.sh`)
+//!    without them has no buffer, no cycle and no code for them. Where nothing is hidden that a depth buffer would be needed
+//!    for, [`Hiding::cheapest`] says so. (`firmware/measure.sh`, `tests/hiding`)
 //!
 //! What was measured, from the tables of `docs/measured`, whose rows are named here by their first columns:
 //!
@@ -113,6 +117,7 @@
 mod math;
 
 mod mesh;
+mod convex;
 mod texture;
 mod blob;
 
@@ -131,6 +136,7 @@ mod varying;
 mod setup;
 mod raster;
 mod depth;
+mod hiding;
 mod run;
 mod pixel;
 mod shade;
@@ -142,8 +148,9 @@ mod triangle;
 
 pub use blob::{Aligned, BlobError};
 pub use camera::{Camera, MatrixCamera, Orthographic, Perspective};
-pub use depth::{Depth, Depth16, DepthFloat, NoDepth};
-pub use list::{DrawError, DrawList, ListStorage, ListTriangle, Stats};
+pub use depth::{Depth, Depth16, DepthFloat, NoDepth, Painter};
+pub use hiding::Hiding;
+pub use list::{DrawError, DrawList, ListStorage, ListTriangle, SortError, Stats};
 pub use math::format::{Attribute, Coord, DepthCode, Inverse, Length};
 pub use math::matrix::Matrix;
 pub use math::turn::Turn;

@@ -110,18 +110,18 @@ impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>> DrawTriangle<'a
         let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
         let window = target.window().clone();
         let shading = Shading { shader, triangle, varying };
-        T::spans(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
+        T::spans(setup, &window, &mut Spanned::<P, S, D, Target> { target, depth, shading })
     }
 }
 
 /// All that the spans of a triangle need.
-struct Painter<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
+struct Spanned<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
     target: &'t mut Target,
     depth: Plane<D::Varying>,
     shading: Shading<'a, P, S>,
 }
 
-impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Painter<'_, 'a, P, S, D, Target>
+impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Spanned<'_, 'a, P, S, D, Target>
 where
     P: Copy,
     S: PixelShader<'a, P>,

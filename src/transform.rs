@@ -106,6 +106,36 @@ impl Transform {
     }
 }
 
+/// Where w is less, its own error counts for too much.
+const LEAST_W: Clip = 64;
+
+impl Transform {
+    /// Bounds of `1 - z / w`, in 32 fraction bits, of all that a list can keep of a box of positions: everything from the
+    /// far to the near plane, where the box comes close to the eye's own plane.
+    ///
+    /// Where w is positive, the extremes of a quotient of two linear functions lie in corners. A vertex's z and w are off
+    /// by up to 3 steps, by one more where an edge was cut, and so are a corner's: 2 * (4 + 4) / w together, a fifteenth
+    /// more at the least w. Their reciprocals are up to 2^-26 too small, and quotients are rounded down.
+    pub(crate) fn depths(&self, [low, high]: [[i16; 3]; 2]) -> [u32; 2] {
+        let (mut least, mut greatest, mut least_w) = (u32::MAX, 0, Clip::MAX);
+        for corner in 0..8 {
+            let ([low_x, low_y, low_z], [high_x, high_y, high_z]) = (low, high);
+            let pick = |bit: u8, low, high| if corner >> bit & 1 == 0 { low } else { high };
+            let at = self.position([pick(0, low_x, high_x), pick(1, low_y, high_y), pick(2, low_z, high_z)]);
+            // What lies before the near plane is cut off there.
+            let nearness =
+                if at.z < 0 { u32::MAX } else { Projection::nearness(&at, Projection::inverse(at.w)) };
+            (least, greatest, least_w) = (least.min(nearness), greatest.max(nearness), least_w.min(at.w));
+        }
+        if least_w < LEAST_W {
+            return [0, u32::MAX];
+        }
+        let inverse = Projection::inverse(least_w);
+        let margin = (product::unsigned(18, inverse.mantissa) << inverse.shift >> 30) as u32 + 70;
+        [least.saturating_sub(margin), greatest.saturating_add(margin)]
+    }
+}
+
 /// `factor * position / 2^16`, rounded down, from 32-bit products.
 #[inline(always)]
 fn high_product(factor: i32, position: i32) -> i32 {
@@ -245,5 +275,74 @@ impl Projection {
         let x = cx.wrapping_add(snap(at.x)).max(left).min(right);
         let y = cy.wrapping_add(snap(at.y)).max(top).min(bottom);
         Snapped::from_bits(x, y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::geometry::Size;
+
+    use super::*;
+    use crate::camera::{Camera as _, MatrixCamera, Perspective};
+    use crate::math::format::Length;
+    use crate::math::turn::Turn;
+
+    // Red when a corner is left out, when there is no margin, and when what comes near the eye's plane has bounds.
+    #[test]
+    fn what_a_list_keeps_of_a_box_lies_within_its_depths() {
+        let mut random = 1_u64;
+        let mut next = || {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) as u32
+        };
+        let (mut seen, mut bounded) = (0, 0);
+        for round in 0..20_000 {
+            let far = [2.0, 30.0, 1000.0][round % 3];
+            let size = Size::new(64, 64);
+            let camera = Perspective::new(size, Turn::from_degrees(60), 0.5..far);
+            // And where w says nothing of z.
+            let any =
+                Matrix::new([[(); 4]; 4].map(|row| row.map(|()| Length::from_bits(next() as i32 >> 14))));
+            let matrix = if round % 5 == 0 { any } else { *camera.matrix() };
+            let camera = MatrixCamera::<true>::new(size, matrix);
+            // Level boxes have whole faces of one depth, where only rounding differs.
+            let turn = Turn::new(if round % 2 == 0 { 0 } else { next() as u16 });
+            let [x, y] = [next(), next()].map(|bits| Length::from_bits(bits as i32 % (1 << 17)));
+            let away = Length::from_bits(-((next() >> (round % 14 + 9)) as i32));
+            let pose = Pose::new().turned_y(turn).turned_x(turn).at([x, y, away]);
+            let corners = [next(), next(), next(), next(), next(), next()].map(|bits| bits as i16);
+            let [a, b, c, d, e, f] = corners;
+            let positions = [[a, b, c], [d, e, f]];
+            let mesh = Mesh::new(&positions, &[[0, 1, 0]]).unwrap();
+            let half = Length::from_bits(1 + (next() >> (round % 11 + 11)) as i32);
+            let mesh = mesh.with_box([Length::ZERO; 3], half);
+            let viewport = camera.viewport().unwrap();
+            let transform = Transform::new(viewport, camera.matrix(), &mesh, &pose);
+            let [least, greatest] = transform.depths(mesh.bounds());
+            let [low, high] = mesh.bounds();
+            bounded += usize::from(least > 0 || greatest < u32::MAX);
+            for _ in 0..30 {
+                let kinds = next();
+                let vertex = [0, 1, 2].map(|axis| match kinds >> (2 * axis) & 3 {
+                    0 => low[axis],
+                    1 => high[axis],
+                    _ => {
+                        let length = i64::from(high[axis]) - i64::from(low[axis]) + 1;
+                        (i64::from(low[axis]) + i64::from(next()) % length) as i16
+                    }
+                });
+                let at = transform.position(vertex);
+                if at.z < 0 || at.z > at.w {
+                    continue;
+                }
+                let nearness = Projection::nearness(&at, Projection::inverse(at.w));
+                assert!(
+                    least <= nearness && nearness <= greatest,
+                    "{vertex:?}: {nearness} not in {least}..{greatest}"
+                );
+                seen += 1;
+            }
+        }
+        assert!(seen > 100_000 && bounded > 5_000, "{seen} {bounded}");
     }
 }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use arbitrary::Arbitrary;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::RgbColor;
-use topleft::{Cull, Depth16, DepthFloat, Material, NoDepth, Sun};
+use topleft::{Cull, Depth16, DepthFloat, Material, NoDepth, Painter, Sun};
 
 use crate::lens::{Lens, Target};
 use crate::numbers::{Mostly, Number, Place};
@@ -18,8 +18,9 @@ use crate::support::frame::Strips;
 pub struct Frame {
     target: Target,
     lens: Lens,
-    /// Odd: with depth, as 16-bit colours, and small floats where the next bit is set; even: without, as 24-bit ones.
-    depth: u8,
+    /// What hides what. The lowest bit says whether there is a depth, as 16-bit colours; the next whether a depth is of small
+    /// floats, and whether a list without one, as 24-bit colours, is sorted.
+    hiding: u8,
     /// Words and triangles of the list: usually enough.
     storage: Mostly<(), [u16; 2]>,
     window: [u8; 2],
@@ -96,12 +97,13 @@ impl Frame {
             height: usize::from(self.strip_height % MOST) + 1,
             display: self.display.map(|length| (length % MOST).into()),
         };
-        let seen = match self.depth % 4 {
+        let seen = match self.hiding % 4 {
+            0 => check_flat::<NoDepth>(&picture),
             // From 4 at the far plane to 65532 at the near one, and less than a code of error.
             1 => check_deep::<Depth16>(&picture, 3..=65_532),
+            2 => check_flat::<Painter>(&picture),
             // From 256 at the far plane to the last of all, and at most 145 codes of error there: the margin's bound.
-            3 => check_deep::<DepthFloat>(&picture, 111..=u16::MAX),
-            _ => check_flat(&picture),
+            _ => check_deep::<DepthFloat>(&picture, 111..=u16::MAX),
         };
         seen.unwrap_or_else(|error| panic!("{error}\n{self:#?}"))
     }
@@ -121,7 +123,7 @@ fn check_deep<D: Strips>(picture: &Picture<'_>, codes: RangeInclusive<u16>) -> R
 }
 
 /// 24-bit colours without depth.
-fn check_flat(picture: &Picture<'_>) -> Result<usize, String> {
-    let frame = picture.check::<Rgb888, NoDepth>()?;
+fn check_flat<D: Strips>(picture: &Picture<'_>) -> Result<usize, String> {
+    let frame = picture.check::<Rgb888, D>()?;
     Ok(frame.colours.iter().filter(|&&colour| colour != Rgb888::BLACK).count())
 }

@@ -1,7 +1,7 @@
 //! Stage 6. Which pixels of a span are visible, before any of them is shaded.
 //!
-//! Each way to decide it has a file: [`NoDepth`] does not, and [`Depth16`] and [`DepthFloat`] keep the nearest depth of each
-//! pixel in a [`buffer`].
+//! Each way to decide it has a file: [`NoDepth`] does not, [`Painter`] has decided before, and [`Depth16`] and
+//! [`DepthFloat`] keep the nearest depth of each pixel in a [`buffer`].
 
 use core::ops::Range;
 
@@ -12,10 +12,13 @@ mod buffer;
 mod depth16;
 mod float;
 mod none;
+mod painter;
 
 pub use depth16::Depth16;
 pub use float::DepthFloat;
 pub use none::NoDepth;
+pub(crate) use painter::Nearness;
+pub use painter::Painter;
 
 /// What hides what. A type parameter: a list without depth has no buffer, no cycle and no code for it.
 pub trait Depth {

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::drawing::{Drawing, Layout, Shaded, UNSEEN};
 use super::render::{self, stride};
-use super::{DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
+use super::{Block, DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
 use crate::camera::Camera;
 use crate::clip::{Outcode, Polygon, least};
 use crate::depth::Depth;
@@ -95,16 +95,18 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let draw: DrawFn<'a, P, D> = render::triangle::<P, D, T, S>;
         let stride = stride::<P, D, S>();
         for (place, kept) in self.shaders.iter().enumerate() {
-            let named = (self.used_words - kept.base).div_ceil(stride);
+            let base = kept.block.base();
+            let named = (self.used_words - base).div_ceil(stride);
             let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms == uniforms;
             if same && named + vertices <= MAX_NAMED {
                 // Other shaders' vertices may lie between: the next ones start at a whole number of these.
-                self.used_words = kept.base + named * stride;
-                return Ok((place as u8, kept.base));
+                self.used_words = base + named * stride;
+                return Ok((place as u8, base));
             }
         }
         let base = self.used_words;
-        self.shaders.push(Kept { uniforms, draw, base }).map_err(|_| DrawError::TooManyShaders)?;
+        let block = Block::new(base, stride);
+        self.shaders.push(Kept { uniforms, draw, block }).map_err(|_| DrawError::TooManyShaders)?;
         Ok(((self.shaders.len() - 1) as u8, base))
     }
 

@@ -15,8 +15,10 @@ use crate::viewport::TooLarge;
 mod draw;
 mod drawing;
 mod render;
+mod sort;
 mod storage;
 
+pub use sort::SortError;
 pub use storage::ListStorage;
 
 /// Different shaders that one list can hold. Draws with an equal one share it.
@@ -45,12 +47,37 @@ impl ListTriangle {
 /// Draws one triangle, with the vertices of its shader: one such function is linked for each shader that is used.
 type DrawFn<'a, P, D> = fn(&Uniforms<'a>, &[u32], &ListTriangle, &mut Rows<'_, P, D>);
 
-/// A pixel shader as the list keeps it, the function that draws with it, and the first word of its vertices.
+/// A pixel shader as the list keeps it, the function that draws with it, and where its vertices are.
 #[derive(Clone, Copy, Debug)]
 struct Kept<'a, P, D: Depth> {
     uniforms: Uniforms<'a>,
     draw: DrawFn<'a, P, D>,
-    base: usize,
+    block: Block,
+}
+
+/// Words of a vertex at most: x, y, depth, 1/w, and four for its shader.
+const MAX_STRIDE: usize = 8;
+
+/// The words of a shader's vertices: the first of them, and how many a vertex takes.
+///
+/// Both fit one: a slice has at most as many bytes as half of all numbers can count, so the first word leaves three bits.
+#[derive(Clone, Copy, Debug, Default)]
+struct Block(usize);
+
+impl Block {
+    const fn new(base: usize, stride: usize) -> Self {
+        Self(base * MAX_STRIDE + (stride - 1) % MAX_STRIDE)
+    }
+
+    /// The first word.
+    const fn base(self) -> usize {
+        self.0 / MAX_STRIDE
+    }
+
+    /// Words of a vertex.
+    const fn stride(self) -> usize {
+        self.0 % MAX_STRIDE + 1
+    }
 }
 
 /// Why a mesh is not in the list, or not all of it.

@@ -39,7 +39,8 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
     #[inline(never)]
     fn render_one(&self, triangle: &ListTriangle, target: &mut Rows<'_, P, D>) {
         let kept = self.shaders.get(usize::from(triangle.shader));
-        if let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.base..)?))) {
+        if let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.block.base()..)?)))
+        {
             (kept.draw)(&kept.uniforms, words, triangle, target);
         }
     }
@@ -106,6 +107,7 @@ struct Vertex<Z, A> {
 
 /// Words of a vertex: x, y, and what depth, perspective and shader need.
 pub(super) const fn stride<'a, P, D: Depth, S: PixelShader<'a, P>>() -> usize {
+    const { assert!(D::Vertex::WORDS <= 1, "a vertex has one word of depth at most") };
     2 + D::Vertex::WORDS + S::PERSPECTIVE as usize + S::Vertex::WORDS
 }
 

@@ -7,7 +7,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-use crate::depth::{Depth, Depth16, DepthFloat, NoDepth};
+use crate::depth::{Depth, Depth16, DepthFloat, NoDepth, Painter};
 use crate::gradients::Plane;
 use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
@@ -100,6 +100,12 @@ impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
             return Err(StripError::Short { given: depths.len(), needed });
         }
         Ok(Strip { colours, depths, width, height, background })
+    }
+
+    /// The same strip for lists that are sorted.
+    pub fn for_painter(self) -> Strip<'s, P, Painter> {
+        let Self { colours, width, height, background, .. } = self;
+        Strip { colours, depths: (), width, height, background }
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 
 use topleft::stages::Traversal;
-use topleft::{Depth, Depth16, DepthFloat, DrawList, NoDepth, Pixel, Strip};
+use topleft::{Depth, Depth16, DepthFloat, DrawList, NoDepth, Painter, Pixel, Strip};
 
 use super::same;
 
@@ -31,11 +31,29 @@ impl<P: PartialEq + Debug> Frame<P> {
 /// A depth, and how a strip of it is made: without depth, the depths stay as they are.
 pub(crate) trait Strips: Depth + Sized {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], depths: &'s mut [u16]) -> Strip<'s, P, Self>;
+
+    /// Whether a list has an order of its own, whatever it is drawn in.
+    const SORTED: bool = false;
+
+    /// Puts it in that order.
+    fn sort<P, T>(_: &mut DrawList<'_, P, Self, T>) {}
 }
 
 impl Strips for NoDepth {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], _: &'s mut [u16]) -> Strip<'s, P, Self> {
         Strip::new(width, colours).expect("whole rows")
+    }
+}
+
+impl Strips for Painter {
+    const SORTED: bool = true;
+
+    fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], _: &'s mut [u16]) -> Strip<'s, P, Self> {
+        Strip::new(width, colours).expect("whole rows").for_painter()
+    }
+
+    fn sort<P, T>(list: &mut DrawList<'_, P, Self, T>) {
+        list.sort(&mut vec![[0; 3]; list.stats().drawn]).expect("as many");
     }
 }
 

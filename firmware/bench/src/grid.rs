@@ -5,7 +5,7 @@ use scenes::texture::TEST_CARD;
 use topleft::stages::Traversal;
 use topleft::{
     Affine, Cull, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat, Gouraud, Length, Material, Matrix,
-    MatrixCamera, Mesh, NoDepth, PerPixel, Portable, Pose, Subspans, Textured, Within,
+    MatrixCamera, Mesh, NoDepth, Painter, PerPixel, Portable, Pose, Subspans, Textured, Within,
 };
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
@@ -13,6 +13,7 @@ use crate::measure::{Bench, Buffers, Case, PANEL};
 /// Measures all ways to draw the grid.
 pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
     bench.case(&FlatGrid, buffers);
+    bench.case(&FlatPainterGrid, buffers);
     bench.case(&FlatDepthGrid, buffers);
     bench.case(&FlatDepthFloatGrid, buffers);
     bench.case(&GouraudDepthGrid, buffers);
@@ -90,6 +91,7 @@ macro_rules! cases {
 
 cases! {
     FlatGrid, "flat", NoDepth, FRONT, GRID240, Flat::new(Material::OfMesh);
+    FlatPainterGrid, "flat+painter", Painter, FRONT, GRID240, Flat::new(Material::OfMesh);
     FlatDepthGrid, "flat+depth", Depth16, FRONT, GRID240, Flat::new(Material::OfMesh);
     FlatDepthFloatGrid, "flat+depth-float", DepthFloat, FRONT, GRID240, Flat::new(Material::OfMesh);
     GouraudDepthGrid, "gouraud+depth", Depth16, FRONT, COLOURED, Gouraud::unlit(&Material::OfMesh);

@@ -44,35 +44,50 @@ pub fn run(clock: &mut dyn Clock, report: &mut dyn FnMut(&Row)) {
     strips(&mut bench);
 }
 
-/// The grid, and triangles of five sizes, into a whole frame with depth: 225 KB of the stack, and 15 KB for the list.
+/// The grid, and triangles of five sizes, into a whole frame with depth: 225 KB of the stack, and 18 KB for the list.
 #[inline(never)]
 fn whole_frame(bench: &mut Bench<'_>) {
     let (mut colours, mut depths) = ([0; WIDTH * HEIGHT], [0; WIDTH * HEIGHT]);
-    let (mut words, mut triangles) = ([0; 289 * 6], [ListTriangle::EMPTY; 512]);
-    let mut buffers =
-        Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
+    let (mut words, mut triangles, mut scratch) = ([0; 289 * 6], [ListTriangle::EMPTY; 512], [[0; 3]; 512]);
+    let mut buffers = Buffers {
+        colours: &mut colours,
+        depths: &mut depths,
+        words: &mut words,
+        triangles: &mut triangles,
+        scratch: &mut scratch,
+    };
     grid::all(bench, &mut buffers);
     sizes::all(bench, &mut buffers);
 }
 
 /// The scenes in halves of the panel, as an RP2040 has no room for a whole frame beside their lists: 113 KB of the stack,
-/// and 45 KB for the list of the largest scene.
+/// and 54 KB for the list of the largest scene.
 #[inline(never)]
 fn halves(bench: &mut Bench<'_>) {
     let (mut colours, mut depths) = ([0; WIDTH * HEIGHT / 2], [0; WIDTH * HEIGHT / 2]);
-    let (mut words, mut triangles) = ([0; 6000], [ListTriangle::EMPTY; 1500]);
-    let mut buffers =
-        Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
+    let (mut words, mut triangles, mut scratch) = ([0; 6000], [ListTriangle::EMPTY; 1500], [[0; 3]; 1500]);
+    let mut buffers = Buffers {
+        colours: &mut colours,
+        depths: &mut depths,
+        words: &mut words,
+        triangles: &mut triangles,
+        scratch: &mut scratch,
+    };
     scene::all(bench, &mut buffers);
 }
 
-/// The grid and the scenes in strips: 15 KB for a strip, and 45 KB for the list of the largest scene.
+/// The grid and the scenes in strips: 15 KB for a strip, and 54 KB for the list of the largest scene.
 #[inline(never)]
 fn strips(bench: &mut Bench<'_>) {
     let (mut colours, mut depths) = ([0; WIDTH * STRIP], [0; WIDTH * STRIP]);
-    let (mut words, mut triangles) = ([0; 6000], [ListTriangle::EMPTY; 1500]);
-    let mut buffers =
-        Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
+    let (mut words, mut triangles, mut scratch) = ([0; 6000], [ListTriangle::EMPTY; 1500], [[0; 3]; 1500]);
+    let mut buffers = Buffers {
+        colours: &mut colours,
+        depths: &mut depths,
+        words: &mut words,
+        triangles: &mut triangles,
+        scratch: &mut scratch,
+    };
     grid::all(bench, &mut buffers);
     scene::all(bench, &mut buffers);
     texels::all(bench, &mut buffers);

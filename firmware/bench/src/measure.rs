@@ -2,7 +2,9 @@
 
 use embedded_graphics_core::geometry::Size;
 use topleft::stages::Traversal;
-use topleft::{Depth, Depth16, DepthFloat, DrawError, DrawList, ListTriangle, NoDepth, Spans, Strip};
+use topleft::{
+    Depth, Depth16, DepthFloat, DrawError, DrawList, ListTriangle, NoDepth, Painter, Spans, Strip,
+};
 
 use crate::crc::Crc;
 use crate::row::Row;
@@ -54,6 +56,9 @@ pub(crate) trait Case {
 
 /// A depth, or none, and its part of the buffers.
 pub(crate) trait Buffered: Depth + Sized {
+    /// Puts a list in order, where it has one.
+    fn sort<T>(_: &mut DrawList<'_, u16, Self, T>, _: &mut [[u16; 3]]) {}
+
     fn strip<'s>(colours: &'s mut [u16], depths: &'s mut [u16]) -> Strip<'s, u16, Self>;
 }
 
@@ -62,6 +67,16 @@ const FITS: &str = "a strip is whole rows of the panel";
 impl Buffered for NoDepth {
     fn strip<'s>(colours: &'s mut [u16], _: &'s mut [u16]) -> Strip<'s, u16, Self> {
         Strip::new(PANEL.width as u16, colours).expect(FITS)
+    }
+}
+
+impl Buffered for Painter {
+    fn sort<T>(list: &mut DrawList<'_, u16, Self, T>, scratch: &mut [[u16; 3]]) {
+        list.sort(scratch).expect("as many triangles as the list");
+    }
+
+    fn strip<'s>(colours: &'s mut [u16], _: &'s mut [u16]) -> Strip<'s, u16, Self> {
+        NoDepth::strip(colours, &mut []).for_painter()
     }
 }
 
@@ -83,6 +98,8 @@ pub(crate) struct Buffers<'b> {
     pub(crate) depths: &'b mut [u16],
     pub(crate) words: &'b mut [u32],
     pub(crate) triangles: &'b mut [ListTriangle],
+    /// For lists that are sorted.
+    pub(crate) scratch: &'b mut [[u16; 3]],
 }
 
 /// The clock, and where rows go.
@@ -111,7 +128,7 @@ impl<'c> Bench<'c> {
     /// Measures a case and reports its row. Not inlined: the lists of all cases at once would not leave room for a frame.
     #[inline(never)]
     pub(crate) fn case<C: Case>(&mut self, case: &C, buffers: &mut Buffers<'_>) {
-        let Buffers { colours, depths, words, triangles } = buffers;
+        let Buffers { colours, depths, words, triangles, scratch } = buffers;
         let background = <u16 as topleft::Pixel>::from_rgb(case.background());
         let mut strip = C::Depth::strip(colours, depths).with_background(background);
         let rows = i32::from(strip.height());
@@ -131,7 +148,10 @@ impl<'c> Bench<'c> {
             tops().map(|top| self.time(Part::Setup, &mut || list.render(part(top), &mut strip))).sum()
         };
         let mut list = DrawList::<_, _, Spans>::with_traversal(words, triangles);
-        let vertex = self.time(Part::Vertex, &mut || case.draw(&mut list).expect(fits));
+        let vertex = self.time(Part::Vertex, &mut || {
+            case.draw(&mut list).expect(fits);
+            C::Depth::sort(&mut list, scratch);
+        });
         let (mut clear, mut render, mut crc) = (0, 0, Crc::new());
         for top in tops() {
             clear += self.time(Part::Clear, &mut || strip.clear());

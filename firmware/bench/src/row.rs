@@ -15,7 +15,8 @@ pub struct Row {
     pub triangles: usize,
     /// Pixels that they cover, before the depth test.
     pub pixels: u32,
-    /// Once a frame: vertices to the screen, faces culled and put in order.
+    /// Once a frame: vertices to the screen, faces culled and put in order, and all triangles sorted where that is
+    /// how they are drawn.
     pub vertex: u64,
     /// Triangles taken from the list, and their planes; once a strip that they touch.
     pub setup: u64,

@@ -72,14 +72,16 @@ fn strips_halves_and_whole_frames_are_the_same_bytes() {
         frames.entry((row.scene, row.method)).or_default().insert(row.strip_rows, row.crc);
     }
     let twice = |scene: &str| frames.iter().filter(|((of, _), crcs)| *of == scene && crcs.len() == 2).count();
-    assert_eq!(twice("grid240"), 10);
+    assert_eq!(twice("grid240"), 11);
     for scene in SCENES.iter().filter(|scene| scene.name != "grid240") {
-        assert_eq!(twice(scene.name), 1, "{}", scene.name);
+        // And sorted, two of them.
+        let ways = 1 + usize::from(["knot", "teapot"].contains(&scene.name));
+        assert_eq!(twice(scene.name), ways, "{}", scene.name);
     }
     for ((scene, method), crcs) in &frames {
         // No chip of 264 KB has room for a whole frame of a scene, its depths and its list: this host has.
         let whole = by_name(scene).filter(|_| *method == "as-it-is+depth").map(whole_frame);
-        let whole = whole.or(crcs.get(&240).copied());
+        let whole = whole.or(crcs.get(&240).or(crcs.get(&120)).copied());
         for (rows, crc) in crcs {
             assert_eq!(Some(*crc), whole.or(Some(*crc)), "{scene}, {method}, {rows} rows");
         }

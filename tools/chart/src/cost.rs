@@ -19,6 +19,17 @@ impl Core {
         self.table.find(&wanted).next().and_then(|row| number(&row, self.per_pixel))
     }
 
+    /// The same, and what a list takes more than another way's to be made: what is done once a frame.
+    pub(crate) fn per_pixel_from_the_list(&self, scene: &str, [method, than]: [&str; 2]) -> Option<f64> {
+        let vertex = self.total.replace("total", "vertex");
+        let value = |method, column: &str| {
+            let wanted = [("scene", scene), ("method", method), ("opt_level", "3"), ("strip_rows", "16")];
+            self.table.find(&wanted).next().and_then(|row| number(&row, column))
+        };
+        let more = value(method, &vertex)? - value(than, &vertex)?;
+        Some(self.per_pixel(scene, method, "16")? + more / value(method, "pixels")?)
+    }
+
     /// Pixels a triangle and cost a triangle, by size, with the ways to shade in the table's order.
     fn by_size(&self) -> Vec<(String, Vec<[f64; 2]>)> {
         let mut ways: Vec<(String, Vec<[f64; 2]>)> = Vec::new();

@@ -4,7 +4,7 @@ use embedded_graphics_core::geometry::Size;
 use reference::raster::{covers, row_span};
 use reference::setup::{Cull, facing};
 use scenes::{Camera, Scene, View, by_name};
-use topleft::{Depth, Depth16, DepthFloat, DrawList, ListTriangle, NoDepth, Strip};
+use topleft::{Depth, Depth16, DepthFloat, DrawList, ListTriangle, NoDepth, Painter, Strip};
 
 use crate::patches::{Frame, Patch};
 use crate::probe::{Probe, Seen, UNSEEN};
@@ -78,12 +78,11 @@ fn far_of(scene: &Scene) -> f64 {
     }
 }
 
-/// A face at a pixel: its exact depth there, and in the middle of its triangle.
+/// A face at a pixel: its exact depth there.
 #[derive(Clone, Copy, Debug)]
 struct Layer {
     face: usize,
     depth: f64,
-    middle: f64,
 }
 
 /// The faces at each pixel in the order in which they are drawn.
@@ -92,14 +91,11 @@ fn layers(scene: &Scene, frame: &Frame) -> Vec<Vec<Layer>> {
     let mut layers = vec![Vec::new(); (width * height) as usize];
     for (face, patches) in frame.faces.iter().enumerate() {
         for patch in patches.iter().filter(|patch| is_drawn(scene, patch)) {
-            let [x, y] =
-                [0, 1].map(|axis| patch.triangle.iter().map(|p| i64::from(p[axis])).sum::<i64>() / 768);
-            let middle = patch.depth(x, y).0;
             for y in 0..height {
                 let Some((start, end)) = row_span(patch.triangle, y) else { continue };
                 for x in start.max(0)..end.min(width) {
                     let depth = patch.depth(x, y).0;
-                    layers[(y * width + x) as usize].push(Layer { face, depth, middle });
+                    layers[(y * width + x) as usize].push(Layer { face, depth });
                 }
             }
         }
@@ -128,7 +124,7 @@ fn seen<K: PartialOrd>(layers: &[Layer], key: impl Fn(&Layer) -> K) -> Option<us
     best.map(|(face, _)| face)
 }
 
-/// The faces that the library shows with a depth buffer, or with none.
+/// The faces that the library shows with a depth buffer, sorted, or as they are listed.
 fn drawn<D: Kept>(scene: &Scene) -> Vec<Option<usize>> {
     let pixels = (PANEL.width * PANEL.height) as usize;
     let (mut words, mut triangles) = (vec![0; 1 << 16], vec![ListTriangle::EMPTY; 4000]);
@@ -142,6 +138,7 @@ fn drawn<D: Kept>(scene: &Scene) -> Vec<Option<usize>> {
         list.draw(&camera, object.mesh, &pose, &probe).expect("the list is long enough");
         first_face += object.mesh.faces().len();
     }
+    D::sort(&mut list);
     let mut strip = D::strip(Strip::new(PANEL.width as u16, &mut cells).expect("whole rows"), &mut depths);
     strip.clear();
     list.render(0..PANEL.height as i32, &mut strip);
@@ -149,14 +146,26 @@ fn drawn<D: Kept>(scene: &Scene) -> Vec<Option<usize>> {
     cells.iter().map(Seen::face).collect()
 }
 
-/// A strip with depth, or as it is.
+/// A strip with depth, or as it is, and a list that is sorted, or as it is.
 trait Kept: Depth + Sized {
+    fn sort(_: &mut DrawList<'_, Seen, Self>) {}
+
     fn strip<'s>(strip: Strip<'s, Seen, NoDepth>, depths: &'s mut [u16]) -> Strip<'s, Seen, Self>;
 }
 
 impl Kept for NoDepth {
     fn strip<'s>(strip: Strip<'s, Seen, NoDepth>, _: &'s mut [u16]) -> Strip<'s, Seen, Self> {
         strip
+    }
+}
+
+impl Kept for Painter {
+    fn sort(list: &mut DrawList<'_, Seen, Self>) {
+        list.sort(&mut vec![[0; 3]; list.stats().drawn]).expect("as many");
+    }
+
+    fn strip<'s>(strip: Strip<'s, Seen, NoDepth>, _: &'s mut [u16]) -> Strip<'s, Seen, Self> {
+        strip.for_painter()
     }
 }
 
@@ -172,8 +181,9 @@ impl Kept for DepthFloat {
     }
 }
 
-/// Pixels of each scene that show another face than the nearest, by what is kept of depth.
-pub(crate) fn inversions(costs: [Option<f64>; 3], mut done: impl FnMut()) -> Table {
+/// Pixels of each scene that show another face than the nearest, by what is kept of depth. Costs are of nothing, of a list
+/// that is sorted, sorting included, of a buffer, and of one of small floats.
+pub(crate) fn inversions(costs: [Option<f64>; 4], mut done: impl FnMut()) -> Table {
     let mut header = vec!["method", "m0_cycles_per_px"];
     header.extend(SCENES);
     let mut table = Table::new(&header);
@@ -201,7 +211,7 @@ pub(crate) fn inversions(costs: [Option<f64>; 3], mut done: impl FnMut()) -> Tab
             let far = far_of(scene);
             let mut counts = vec![
                 library(drawn::<NoDepth>(scene)),
-                wrong(&|pixel| seen(&layers[pixel], |layer| layer.middle)),
+                library(drawn::<Painter>(scene)),
                 library(drawn::<Depth16>(scene)),
                 library(drawn::<DepthFloat>(scene)),
             ];
@@ -212,11 +222,11 @@ pub(crate) fn inversions(costs: [Option<f64>; 3], mut done: impl FnMut()) -> Tab
             counts
         })
         .collect();
-    let names = ["NoDepth, as listed", "sorted by triangle (model)"].into_iter();
+    let names = ["NoDepth, as listed", "Painter"].into_iter();
     let names = names.chain(Format::ALL.map(|(name, _)| name));
     for (row, name) in names.enumerate() {
-        // Models have no cost of their own: they are drawn where the library's are, without a buffer and with small floats.
-        let cost = costs[[0, 0, 1, 2, 2][row]].map_or(String::new(), figure);
+        // A model has no cost of its own: it is drawn where the library's small floats are.
+        let cost = costs[row.min(costs.len() - 1)].map_or(String::new(), figure);
         let counts: Vec<usize> = counted.iter().map(|counts| counts[row]).collect();
         let mut cells = vec![name.to_owned(), cost];
         cells.extend(counts.iter().map(usize::to_string));

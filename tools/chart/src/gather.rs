@@ -64,8 +64,10 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
     }
     bar.set_message("depth");
     let m0plus = &inputs.cores[0];
-    let flat = ["flat", "flat+depth", "flat+depth-float"].map(|way| m0plus.per_pixel("grid240", way, "16"));
-    let inversions = depth::inversions(flat, || bar.inc(1));
+    let [flat, deep, float] =
+        ["flat", "flat+depth", "flat+depth-float"].map(|way| m0plus.per_pixel("grid240", way, "16"));
+    let sorted = m0plus.per_pixel_from_the_list("grid240", ["flat+painter", "flat"]);
+    let inversions = depth::inversions([flat, sorted, deep, float], || bar.inc(1));
     let resolution = depth::resolution(|| bar.inc(1));
     bar.set_message("time on this machine");
     let times = if keep_host { Vec::new() } else { host::all(|| bar.inc(1)) };

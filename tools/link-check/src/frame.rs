@@ -8,9 +8,9 @@ use scenes::mesh::CUBE;
 use scenes::texture::BRICK;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat, Gouraud,
-    Length, ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth, PerPixel, Pixel,
-    Portable, Pose, Strip, Subspans, Sun, Texture, Textured, Turn, Within, Wrap,
+    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat,
+    Gouraud, Hiding, Length, ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth,
+    Painter, PerPixel, Pixel, Portable, Pose, Strip, Subspans, Sun, Texture, Textured, Turn, Within, Wrap,
 };
 
 use crate::screen::{SIZE, Screen};
@@ -91,6 +91,30 @@ pub(crate) fn with_float_depth(screen: &mut Screen) -> Result<(), Infallible> {
         list.present(&mut strip, screen)?;
     }
     Ok(())
+}
+
+/// Rgb565 in painter's order, every kind of shader, by a scratch that may be too short.
+pub(crate) fn in_painters_order(screen: &mut Screen) -> Result<(), Infallible> {
+    let mut storage: ListStorage<2400, 200> = ListStorage::new();
+    let mut scratch = [[0; 3]; 200];
+    let mut colours = [Rgb565::BLACK; WIDTH * ROWS];
+    let mut list: DrawList<'_, Rgb565, Painter> = storage.list();
+    black_box(every_shader(&mut list)).ok();
+    black_box(list.sort(scratch.get_mut(..black_box(200)).unwrap_or_default())).ok();
+    if let Ok(strip) = Strip::new(SIZE.width as u16, &mut colours) {
+        list.present(&mut strip.for_painter(), screen)?;
+    }
+    Ok(())
+}
+
+/// Which way hides what is hidden.
+pub(crate) fn cheapest() {
+    let (mesh, poses) = (black_box(&CUBE), black_box([Pose::new(); 2]));
+    let things = poses.each_ref().map(|pose| (mesh, pose));
+    let camera = MatrixCamera::<true>::new(black_box(SIZE), black_box(FAR_AWAY));
+    black_box(Hiding::cheapest(&camera, black_box(&things), black_box(Length::ONE)));
+    let camera = MatrixCamera::<false>::new(black_box(SIZE), black_box(Matrix::IDENTITY));
+    black_box(Hiding::cheapest(&camera, black_box(&things), black_box(Length::ONE)));
 }
 
 /// Bare 16-bit cells, pixels found by walking boxes, rows rendered one strip at a time.

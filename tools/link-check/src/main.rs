@@ -34,6 +34,8 @@ fn draw(screen: &mut Screen) -> Result<(), Infallible> {
     frame::with_depth(screen)?;
     frame::with_float_depth(screen)?;
     frame::without_depth(screen)?;
+    frame::in_painters_order(screen)?;
+    frame::cheapest();
     frame::by_boxes(screen)?;
     #[cfg(feature = "camera")]
     with_camera::draw(screen)?;

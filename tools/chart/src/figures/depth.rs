@@ -33,7 +33,7 @@ pub(super) fn draw(resolution: &Table, inversions: &Table) -> String {
             }
         }
         canvas.text(
-            "hollow: a model, at the cost of none or of DepthFloat; side by side",
+            "hollow: a model, at the cost of DepthFloat; side by side",
             [590, 544],
             13,
             [20; 3],
