@@ -16,7 +16,8 @@ use crate::support::frame::Strips;
 pub struct Frame {
     target: Target,
     lens: Lens,
-    /// What hides what: the lowest bit says whether there is a depth, and the next whether a list without one is sorted.
+    /// What hides what: the lowest bit says whether there is a depth, and the fourth whether a list without one is sorted.
+    /// By that bit all seeds draw something, also those whose lists have no word to spare.
     hiding: u8,
     /// Words and triangles of the list: usually enough.
     storage: Mostly<(), [u16; 2]>,
@@ -94,9 +95,9 @@ impl Frame {
             height: usize::from(self.strip_height % MOST) + 1,
             display: self.display.map(|length| (length % MOST).into()),
         };
-        let seen = match self.hiding & 3 {
+        let seen = match self.hiding & 9 {
             0 => check_flat::<NoDepth>(&picture),
-            2 => check_flat::<Painter>(&picture),
+            8 => check_flat::<Painter>(&picture),
             _ => check_deep(&picture),
         };
         seen.unwrap_or_else(|error| panic!("{error}\n{self:#?}"))
