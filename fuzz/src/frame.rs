@@ -18,8 +18,8 @@ use crate::support::frame::Strips;
 pub struct Frame {
     target: Target,
     lens: Lens,
-    /// What hides what. The lowest bit says whether there is a depth, as 16-bit colours; the next whether a depth is of small
-    /// floats, and whether a list without one, as 24-bit colours, is sorted.
+    /// What hides what: odd with a depth, as 16-bit colours, of small floats where the next bit is set; even without, as 24-bit
+    /// ones, and sorted where the fourth is. By that bit all seeds draw something, also those whose lists have no word to spare.
     hiding: u8,
     /// Words and triangles of the list: usually enough.
     storage: Mostly<(), [u16; 2]>,
@@ -97,11 +97,11 @@ impl Frame {
             height: usize::from(self.strip_height % MOST) + 1,
             display: self.display.map(|length| (length % MOST).into()),
         };
-        let seen = match self.hiding % 4 {
-            0 => check_flat::<NoDepth>(&picture),
+        let seen = match (self.hiding & 1, self.hiding & 2, self.hiding & 8) {
+            (0, _, 0) => check_flat::<NoDepth>(&picture),
+            (0, ..) => check_flat::<Painter>(&picture),
             // From 4 at the far plane to 65532 at the near one, and less than a code of error.
-            1 => check_deep::<Depth16>(&picture, 3..=65_532),
-            2 => check_flat::<Painter>(&picture),
+            (_, 0, _) => check_deep::<Depth16>(&picture, 3..=65_532),
             // From 256 at the far plane to the last of all, and at most 145 codes of error there: the margin's bound.
             _ => check_deep::<DepthFloat>(&picture, 111..=u16::MAX),
         };
