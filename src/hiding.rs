@@ -47,10 +47,15 @@ const MOST_APART: usize = 32;
 ///         list.sort(&mut [[0; 3]; 24])?;
 ///         list.render(0..64, &mut frame.for_painter());
 ///     }
-///     _ => {
+///     Hiding::Depth16 => {
 ///         let mut list = storage.list();
 ///         draw(&mut list, &camera, &things)?;
 ///         list.render(0..64, &mut frame.with_depth(&mut depths)?);
+///     }
+///     Hiding::DepthFloat => {
+///         let mut list = storage.list();
+///         draw(&mut list, &camera, &things)?;
+///         list.render(0..64, &mut frame.with_float_depth(&mut depths)?);
 ///     }
 /// }
 /// assert_eq!(Hiding::cheapest(&camera, &things, one_percent), Hiding::Painter);
@@ -66,7 +71,7 @@ pub enum Hiding {
     Painter,
     /// A buffer that is linear on the screen: [`Depth16`](crate::Depth16).
     Depth16,
-    /// A buffer that tells far things apart as well as near ones: 16 bits as a small float.
+    /// A buffer of small floats, which tells far things apart as well as near ones: [`DepthFloat`](crate::DepthFloat).
     DepthFloat,
 }
 
