@@ -153,8 +153,8 @@ pub use pose::Pose;
 pub use raster::{BoxWalk, Spans};
 pub use setup::Cull;
 pub use shade::{
-    Affine, Divide, Divided, Flat, Gouraud, Lighting, LitTexture, Material, PerPixel, Portable, Subspans,
-    Sun, Textured, Unlit, Within,
+    Affine, Budgeted, ColourError, Divide, Divided, Flat, Gouraud, Lighting, LitTexture, Material, PerPixel,
+    Portable, Subspans, Sun, Textured, Unlit, Within,
 };
 pub use target::{Strip, StripError};
 pub use texture::{MAX_TEXTURE_SIZE, Texture, TextureError, Wrap};

@@ -30,33 +30,61 @@ pub(crate) trait Surface<P, D: Depth> {
     fn window(&self) -> &Window;
 
     /// Draws a span.
-    fn span<'a, S: PixelShader<'a, P>>(
+    fn span(
         &mut self,
         span: Span,
         depth: &Plane<D::Varying>,
-        shading: &Shading<'a, P, S>,
+        shading: &impl Shading<Pixel = P>,
     ) -> Result<(), Self::Error>;
 }
 
 /// How the pixels of a triangle get their colours.
-pub(crate) struct Shading<'a, P, S: PixelShader<'a, P>> {
+pub(crate) trait Shading {
+    type Pixel;
+
+    /// The one colour of all of them, if there is but one.
+    fn solid(&self) -> Option<Self::Pixel>;
+
+    /// Colours a run that starts in a column of a row.
+    fn shade<D: Depth>(&self, column: i32, row: i32, run: Run<'_, Self::Pixel, D>);
+}
+
+/// By a shader, pixel by pixel.
+struct Shaded<'a, P, S: PixelShader<'a, P>> {
     shader: S,
     triangle: S::Triangle,
     varying: Plane<S::Varying>,
 }
 
-impl<'a, P, S: PixelShader<'a, P>> Shading<'a, P, S> {
-    /// The one colour of all of them, if there is but one.
-    #[inline]
-    pub(crate) fn solid(&self) -> Option<P> {
-        self.shader.solid(&self.triangle)
+impl<'a, P, S: PixelShader<'a, P>> Shading for Shaded<'a, P, S> {
+    type Pixel = P;
+
+    #[inline(always)]
+    fn solid(&self) -> Option<P> {
+        None
     }
 
-    /// Colours a run that starts in a column of a row.
     #[inline(always)]
-    pub(crate) fn shade<D: Depth>(&self, column: i32, row: i32, run: Run<'_, P, D>) {
+    fn shade<D: Depth>(&self, column: i32, row: i32, run: Run<'_, P, D>) {
         let Self { shader, triangle, varying } = self;
         shader.shade(triangle, varying.at(column, row), &varying.dx, run);
+    }
+}
+
+/// In one colour, whichever shader found it.
+struct Solid<P>(P);
+
+impl<P: Copy> Shading for Solid<P> {
+    type Pixel = P;
+
+    #[inline(always)]
+    fn solid(&self) -> Option<P> {
+        Some(self.0)
+    }
+
+    #[inline(always)]
+    fn shade<D: Depth>(&self, _: i32, _: i32, run: Run<'_, P, D>) {
+        run.fill(self.0);
     }
 }
 
@@ -75,30 +103,36 @@ where
     D: Depth,
     Target: Surface<P, D>,
 {
-    let (triangle, varyings) = shader.triangle(vertices.colour, vertices.attributes, vertices.inverses);
+    let Vertices { depths, inverses, attributes, colour } = vertices;
+    let [x, y] = setup.anchor();
+    if let Some(colour) = shader.solid(colour, &attributes) {
+        let nothing = const { <D::Varying as Varying>::NOTHING };
+        let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
+        let depth = <D::Varying as Varying>::plane(&gradients, depths).moved_from(x, y);
+        let (window, shading) = (target.window().clone(), Solid(colour));
+        return T::spans(setup, &window, &mut Painter::<D, _, _> { target, depth, shading });
+    }
+    let (triangle, varyings) = shader.triangle(colour, attributes, inverses);
     let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
     let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
-    let [x, y] = setup.anchor();
-    let depth = <D::Varying as Varying>::plane(&gradients, vertices.depths).moved_from(x, y);
+    let depth = <D::Varying as Varying>::plane(&gradients, depths).moved_from(x, y);
     let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
-    let window = target.window().clone();
-    let shading = Shading { shader, triangle, varying };
-    T::spans(setup, &window, &mut Painter::<P, S, D, Target> { target, depth, shading })
+    let (window, shading) = (target.window().clone(), Shaded { shader, triangle, varying });
+    T::spans(setup, &window, &mut Painter::<D, _, _> { target, depth, shading })
 }
 
 /// All that the spans of a triangle need.
-struct Painter<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
+struct Painter<'t, D: Depth, Target, C> {
     target: &'t mut Target,
     depth: Plane<D::Varying>,
-    shading: Shading<'a, P, S>,
+    shading: C,
 }
 
-impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Painter<'_, 'a, P, S, D, Target>
+impl<D, Target, C> DrawSpan<Target::Error> for Painter<'_, D, Target, C>
 where
-    P: Copy,
-    S: PixelShader<'a, P>,
     D: Depth,
-    Target: Surface<P, D>,
+    Target: Surface<C::Pixel, D>,
+    C: Shading,
 {
     #[inline(always)]
     fn draw(&mut self, span: Span) -> Result<(), Target::Error> {

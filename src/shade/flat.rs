@@ -87,7 +87,8 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
         run.fill(*colour);
     }
 
-    fn solid(&self, colour: &P) -> Option<P> {
-        Some(*colour)
+    #[inline(always)]
+    fn solid(&self, colour: [u8; 3], _: &[(); 3]) -> Option<P> {
+        Some(P::from_rgb(colour))
     }
 }

@@ -107,7 +107,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
 
 /// A colour of 0 to 255 in steps of the pixel's channels, and a half, so that dropping the fraction rounds to nearest.
 #[inline]
-fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> [Attribute; 3] {
+pub(super) fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> [Attribute; 3] {
     let [max_r, max_g, max_b] = P::MAX;
     let channel = |c: u8, max: u8| {
         let per_code = (i32::from(max) << 16) / 255;

@@ -13,6 +13,7 @@ use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
+mod budget;
 mod flat;
 mod gouraud;
 mod light;
@@ -21,6 +22,7 @@ mod perspective;
 mod sampler;
 mod textured;
 
+pub use budget::{Budgeted, ColourError};
 pub use flat::Flat;
 pub(crate) use flat::FlatPixel;
 pub use gouraud::Gouraud;
@@ -72,6 +74,13 @@ pub trait PixelShader<'a, P>: Copy {
     /// The shader that was kept.
     fn from_uniforms(uniforms: &Uniforms<'a>) -> Self;
 
+    /// The one colour of a triangle, where it has but one: its runs are filled with it, and nothing below is asked for.
+    #[inline(always)]
+    fn solid(&self, colour: [u8; 3], vertices: &[Self::Vertex; 3]) -> Option<P> {
+        let _ = (colour, vertices);
+        None
+    }
+
     /// What the pixels of a triangle share, and the varyings at its vertices.
     ///
     /// `inverses` are the vertices' 1/w; they mean something only where [`PERSPECTIVE`](Self::PERSPECTIVE) is true.
@@ -90,12 +99,6 @@ pub trait PixelShader<'a, P>: Copy {
         step: &Self::Varying,
         run: Run<'_, P, D>,
     );
-
-    /// The one colour of the triangle, where it has but one.
-    fn solid(&self, triangle: &Self::Triangle) -> Option<P> {
-        let _ = triangle;
-        None
-    }
 }
 
 /// A pixel shader as a list keeps it: a texture and two words, for whatever it is made of.

@@ -10,7 +10,6 @@ use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
 use crate::run::Run;
-use crate::shade::PixelShader;
 
 /// A target that is drawn to run by run.
 pub(crate) struct Display<'t, T> {
@@ -30,12 +29,7 @@ where
         &self.window
     }
 
-    fn span<'a, S: PixelShader<'a, P>>(
-        &mut self,
-        span: Span,
-        _: &Plane<()>,
-        shading: &Shading<'a, P, S>,
-    ) -> Result<(), T::Error> {
+    fn span(&mut self, span: Span, _: &Plane<()>, shading: &impl Shading<Pixel = P>) -> Result<(), T::Error> {
         let length = (span.end - span.start).unsigned_abs();
         let at = Point::new(self.origin.x.saturating_add(span.start), self.origin.y.saturating_add(span.y));
         let area = Rectangle::new(at, Size::new(length, 1));
@@ -50,8 +44,8 @@ where
 const CHUNK: i32 = 16;
 
 /// The colours of a span, shaded a few pixels ahead.
-struct Colours<'t, 'a, P, S: PixelShader<'a, P>> {
-    shading: &'t Shading<'a, P, S>,
+struct Colours<'t, P, C> {
+    shading: &'t C,
     chunk: [P; CHUNK as usize],
     /// How many of the chunk are shaded, and which of them comes next.
     length: usize,
@@ -60,14 +54,14 @@ struct Colours<'t, 'a, P, S: PixelShader<'a, P>> {
     rest: Span,
 }
 
-impl<'t, 'a, P: Pixel, S: PixelShader<'a, P>> Colours<'t, 'a, P, S> {
-    fn new(shading: &'t Shading<'a, P, S>, rest: Span) -> Self {
+impl<'t, P: Pixel, C: Shading<Pixel = P>> Colours<'t, P, C> {
+    fn new(shading: &'t C, rest: Span) -> Self {
         let chunk = [P::from_channels([0; 3]); CHUNK as usize];
         Self { shading, chunk, length: 0, within: 0, rest }
     }
 }
 
-impl<'a, P: Pixel, S: PixelShader<'a, P>> Iterator for Colours<'_, 'a, P, S> {
+impl<P: Pixel, C: Shading<Pixel = P>> Iterator for Colours<'_, P, C> {
     type Item = P;
 
     fn next(&mut self) -> Option<P> {

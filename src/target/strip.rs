@@ -13,7 +13,6 @@ use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
 use crate::run::Run;
-use crate::shade::PixelShader;
 
 /// Some rows of a frame: borrowed colours, and depths for a strip that has them.
 ///
@@ -152,11 +151,11 @@ impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
     }
 
     #[inline(always)]
-    fn span<'a, S: PixelShader<'a, P>>(
+    fn span(
         &mut self,
         span: Span,
         depth: &Plane<D::Varying>,
-        shading: &Shading<'a, P, S>,
+        shading: &impl Shading<Pixel = P>,
     ) -> Result<(), Infallible> {
         let Self { colours, depths, width, origin, .. } = self;
         // The window lies inside the strip: cells are at least zero here.

@@ -3,6 +3,7 @@
 //! The same cases run on a host, where nothing is measured: the checksums of their frames have to be the same.
 #![no_std]
 
+mod budget;
 mod crc;
 mod grid;
 mod measure;
@@ -76,4 +77,5 @@ fn strips(bench: &mut Bench<'_>) {
     grid::all(bench, &mut buffers);
     scene::all(bench, &mut buffers);
     texels::all(bench, &mut buffers);
+    budget::all(bench, &mut buffers);
 }

@@ -4,7 +4,7 @@ use scenes::mesh::GRID240;
 use scenes::texture::TEST_CARD;
 use topleft::stages::Traversal;
 use topleft::{
-    Affine, Depth16, DrawError, DrawList, Flat, Gouraud, Length, Material, MatrixCamera, Mesh, MeshError,
+    Affine, BoxWalk, Depth16, DrawError, DrawList, Flat, Gouraud, Length, Material, MatrixCamera, Mesh, MeshError,
     NoDepth, PerPixel, Pose, Subspans, Sun, Textured,
 };
 
@@ -149,6 +149,8 @@ macro_rules! ways {
         pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
             for size in 0..SIZES.len() {
                 $(bench.case(&$case(size), buffers);)*
+                bench.by::<BoxWalk, _>("flat-box", &FlatWay(size), buffers);
+                bench.by::<BoxWalk, _>("flat-box+depth", &FlatDepthWay(size), buffers);
             }
         }
     };
