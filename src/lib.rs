@@ -150,11 +150,11 @@ pub use mesh::{MAX_UV_EXPONENT, MAX_VERTICES, Mesh, MeshError};
 pub use pixel::Pixel;
 pub use point::{Point, point};
 pub use pose::Pose;
-pub use raster::{BoxWalk, Spans};
+pub use raster::{BoxWalk, BySize, Spans};
 pub use setup::Cull;
 pub use shade::{
-    Affine, Budgeted, ColourError, Divide, Divided, Flat, Gouraud, Lighting, LitTexture, Material, PerPixel,
-    Portable, Subspans, Sun, Textured, Unlit, Within,
+    Affine, ColourError, Divide, Divided, Flat, Gouraud, GouraudWithin, Lighting, LitTexture, Material,
+    PerPixel, Portable, Subspans, Sun, Textured, Unlit, Within,
 };
 pub use target::{Strip, StripError};
 pub use texture::{MAX_TEXTURE_SIZE, Texture, TextureError, Wrap};

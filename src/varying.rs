@@ -33,13 +33,6 @@ impl<V: Varying> Plane<V> {
         Self { start: self.at(x.wrapping_neg(), y.wrapping_neg()), ..*self }
     }
 
-    /// The plane that has one value everywhere.
-    #[inline]
-    pub(crate) fn level(value: V) -> Self {
-        let none = value.times(0);
-        Self { start: value, dx: none, dy: none }
-    }
-
     /// The value `columns` to the right of the anchor and `rows` below it.
     #[inline]
     pub fn at(&self, columns: i32, rows: i32) -> V {

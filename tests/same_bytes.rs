@@ -11,12 +11,12 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use proptest::prelude::*;
 use scenes::texture::TEST_CARD;
-use scenes::{Method, SCENES, Scene, Shade, View};
+use scenes::{Method, Object, SCENES, Scene, Shade, View};
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, Attribute, BoxWalk, Camera, Coord, Cull, Depth16, Divided, DrawList, Flat, Gouraud, Length,
-    ListTriangle, Material, Mesh, Orthographic, PerPixel, Perspective, Point as Corner, Portable, Pose,
-    ShadedTriangle, Spans, Stats, Strip, Subspans, Sun, Textured, Turn, Within, Wrap,
+    Affine, Attribute, BoxWalk, BySize, Camera, ColourError, Coord, Cull, Depth16, Divided, DrawList, Flat,
+    Gouraud, Length, ListTriangle, Material, Mesh, Orthographic, PerPixel, Perspective, Point as Corner,
+    Portable, Pose, ShadedTriangle, Spans, Stats, Strip, Subspans, Sun, Textured, Turn, Within, Wrap,
 };
 
 use support::counter::StrictDisplay;
@@ -73,7 +73,9 @@ fn any_strips(what: &str, drawing: &impl Drawing) -> Result<(Frame, usize), Stri
         })
     }
     let frame = whole::<Spans>(drawing);
-    let frames = heights::<Spans>(what, drawing, &frame)? + heights::<BoxWalk>(what, drawing, &frame)?;
+    let frames = heights::<Spans>(what, drawing, &frame)?
+        + heights::<BoxWalk>(what, drawing, &frame)?
+        + heights::<BySize>(what, drawing, &frame)?;
     Ok((frame, frames))
 }
 
@@ -128,7 +130,9 @@ struct OfMesh<'m> {
     stats: Cell<Stats>,
 }
 
-const WAYS: usize = 14;
+const WAYS: usize = 16;
+/// So that some triangles of random colours are of one, and others are not.
+const ROUGH: Attribute = Attribute::lit("60");
 
 impl OfMesh<'_> {
     fn add<'a, T: Traversal, S: Shader<'a, u16>>(
@@ -182,6 +186,8 @@ impl Drawing for OfMesh<'_> {
             10 => self.add(list, &Textured::new(&card, Within::texels(Attribute::ONE)).lit_by(&sun)),
             11 => self.add(list, &Textured::new(&card, Within::texels(Attribute::lit("0.0625")))),
             12 => self.add(list, &Textured::new(&card, Divided::<Portable>::new())),
+            13 => self.add(list, &Gouraud::unlit(&Material::OfMesh).within(ColourError::codes(ROUGH))),
+            14 => self.add(list, &Gouraud::new(&sun, &Material::OfMesh).within(ColourError::default())),
             _ => self.add(list, &Textured::new(&card, PerPixel).lit_by(&sun)),
         }
     }
@@ -282,6 +288,33 @@ fn any_strips_give_the_same_bytes_of_a_whole_display() {
     let scene = scenes::by_name("teapot").expect("the scene of the teapot");
     let (frame, frames) = any_strips("teapot", &OfScene { scene, size, view: View::default() }).unwrap();
     println!("{frames} frames of {} pixels", frame.seen());
+}
+
+// Red when a triangle whose colours differ by a code is drawn in one of them.
+#[test]
+fn an_error_of_zero_or_less_gives_the_bytes_of_gouraud() {
+    let size = Size::new(120, 90);
+    let sun = Sun::new([Length::lit("0.3"), Length::lit("0.8"), Length::lit("0.4")]);
+    for scene in SCENES {
+        let frame = |error: Option<&str>| {
+            let (mut words, mut triangles) = (vec![0; 40_000], vec![ListTriangle::EMPTY; 8_000]);
+            let mut list = DrawList::<u16, Depth16>::new(&mut words, &mut triangles);
+            let gouraud = |object: &Object| Gouraud::new(&sun, &object.look.material);
+            match error {
+                None => scene.draw_with(&mut list, size, &View::default(), gouraud),
+                Some(codes) => {
+                    let error = ColourError::codes(codes.parse().expect("a number"));
+                    scene.draw_with(&mut list, size, &View::default(), |object| gouraud(object).within(error))
+                }
+            }
+            .expect("the list is long enough");
+            render(&list, size, 90)
+        };
+        let expected = frame(None);
+        for codes in ["0", "-2", "-32768"] {
+            frame(Some(codes)).same(&format!("{}, {codes}", scene.name), &expected).unwrap();
+        }
+    }
 }
 
 // Red when rendering changes a list, or `DrawList::clear` leaves something behind: its shaders, words or triangles.

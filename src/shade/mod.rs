@@ -13,7 +13,6 @@ use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
-mod budget;
 mod flat;
 mod gouraud;
 mod light;
@@ -22,11 +21,10 @@ mod perspective;
 mod sampler;
 mod textured;
 
-pub use budget::{Budgeted, ColourError};
 pub use flat::Flat;
 pub(crate) use flat::FlatPixel;
-pub use gouraud::Gouraud;
 pub(crate) use gouraud::GouraudPixel;
+pub use gouraud::{ColourError, Gouraud, GouraudWithin};
 pub use light::{Lighting, Material, Sun, Unlit};
 pub use perspective::{Affine, Correction, Divide, Divided, PerPixel, Portable, Subspans, Within};
 pub use sampler::Sampler;

@@ -38,7 +38,7 @@ impl<'a, C: Correction> Textured<'a, C> {
 
     /// Paints a run.
     #[inline(always)]
-    pub(super) fn walk<P>(
+    fn walk<P>(
         &self,
         triangle: &C::Triangle,
         start: C::Varying,
@@ -153,12 +153,9 @@ impl<'a, P: Pixel, C: Correction> Shader<'a, P> for LitTexture<'a, C> {
     }
 }
 
-/// 1/255 of full light, in 64 steps with 16 fraction bits, rounded down.
-pub(super) const STEPS_PER_CODE: i32 = (64 << 16) / 255;
-
 /// The pixel half of [`LitTexture`].
 #[derive(Clone, Copy, Debug)]
-pub struct LitTexturePixel<'a, C>(pub(super) Textured<'a, C>);
+pub struct LitTexturePixel<'a, C>(Textured<'a, C>);
 
 impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> {
     /// The texel, and light in 64 steps with a half for rounding.

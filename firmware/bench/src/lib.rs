@@ -10,6 +10,7 @@ mod measure;
 mod row;
 mod scene;
 mod sizes;
+mod small;
 mod texels;
 mod traversal;
 
@@ -54,6 +55,7 @@ fn whole_frame(bench: &mut Bench<'_>) {
         Buffers { colours: &mut colours, depths: &mut depths, words: &mut words, triangles: &mut triangles };
     grid::all(bench, &mut buffers);
     sizes::all(bench, &mut buffers);
+    small::all(bench, &mut buffers);
 }
 
 /// The scenes in halves of the panel, as an RP2040 has no room for a whole frame beside their lists: 113 KB of the stack,

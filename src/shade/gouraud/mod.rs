@@ -10,6 +10,10 @@ use crate::pose::Pose;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
+mod within;
+
+pub use within::{ColourError, GouraudWithin};
+
 /// A colour a vertex, interpolated over the face: lit by the vertices' normals, or the mesh's own colours as they are.
 ///
 /// Colours are interpolated in steps of the display's own channels, with 16 fraction bits, and rounded to nearest.
@@ -107,7 +111,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
 
 /// A colour of 0 to 255 in steps of the pixel's channels, and a half, so that dropping the fraction rounds to nearest.
 #[inline]
-pub(super) fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> [Attribute; 3] {
+fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> [Attribute; 3] {
     let [max_r, max_g, max_b] = P::MAX;
     let channel = |c: u8, max: u8| {
         let per_code = (i32::from(max) << 16) / 255;
