@@ -6,7 +6,7 @@ mod support;
 
 use std::cell::Cell;
 
-use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use proptest::prelude::*;
@@ -298,7 +298,7 @@ fn an_error_of_zero_or_less_gives_the_bytes_of_gouraud() {
     for scene in SCENES {
         let frame = |error: Option<&str>| {
             let (mut words, mut triangles) = (vec![0; 40_000], vec![ListTriangle::EMPTY; 8_000]);
-            let mut list = DrawList::<u16, Depth16>::new(&mut words, &mut triangles);
+            let mut list = DrawList::<Rgb888, Depth16>::new(&mut words, &mut triangles);
             let gouraud = |object: &Object| Gouraud::new(&sun, &object.look.material);
             match error {
                 None => scene.draw_with(&mut list, size, &View::default(), gouraud),
@@ -308,7 +308,7 @@ fn an_error_of_zero_or_less_gives_the_bytes_of_gouraud() {
                 }
             }
             .expect("the list is long enough");
-            render(&list, size, 90)
+            rendered(&list, 120, 0..90, 90, Rgb888::BLACK)
         };
         let expected = frame(None);
         for codes in ["0", "-2", "-32768"] {

@@ -56,8 +56,12 @@ mod tests {
             let (setup, _) = Setup::new(corners.map(|[x, y]| Snapped::from_bits(x, y))).expect("an area");
             is_tiny(&setup)
         };
-        // Each vertex is once the leftmost, and once the rightmost one.
-        for corners in [[[0, 0], [900, 10], [1024, 1024]], [[0, 1024], [1024, 0], [10, 900]]] {
+        // Each of the three, from the top down, is once at a side that moves, mirrored or not.
+        for corners in [
+            [[0, 0], [900, 10], [1024, 1024]],
+            [[0, 0], [1024, 500], [10, 1024]],
+            [[1024, 0], [10, 900], [0, 1024]],
+        ] {
             for mirror in [1, -1] {
                 let at = |wide: i32, high: i32| {
                     let far = |c: i32, more: i32| if c == 1024 { c + more } else { c };
