@@ -7,7 +7,8 @@ use crate::snapped::{Snapped, first_centre};
 
 /// Tests the three edge functions at every pixel centre of the bounding box.
 ///
-/// Same pixels as [`Spans`](super::Spans), without any division: for the smallest triangles on cores that have none.
+/// Same pixels as [`Spans`](super::Spans), without any division. Cheaper than those up to about 4 px only, and dearer the larger
+/// a triangle is: [`BySize`](super::BySize) picks.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BoxWalk;
 

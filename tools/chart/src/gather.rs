@@ -9,7 +9,7 @@ use crate::figures::Tables;
 use crate::host::{self, Timed};
 use crate::table::{Table, figure, number};
 use crate::texels::{self, Texels};
-use crate::{depth, method};
+use crate::{colour, depth, method, traversal};
 
 /// What is read.
 #[derive(Clone, Debug)]
@@ -80,6 +80,8 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
         inversions,
         parts: cost::parts(&setup_and_fill, &inputs.cores, &inputs.memories),
         setup_and_fill,
+        colour: colour::table(&inputs.cores),
+        traversal: traversal::table(&inputs.cores),
         peers: inputs.peers.clone(),
     })
 }

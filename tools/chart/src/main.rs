@@ -20,10 +20,12 @@ mod tolerance;
 mod method;
 mod spy;
 
+mod colour;
 mod cost;
 mod depth;
 mod host;
 mod texels;
+mod traversal;
 
 mod figures;
 mod gather;

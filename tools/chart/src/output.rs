@@ -33,6 +33,8 @@ pub(crate) fn files(root: &Path, tables: &Tables, _: &Inputs) -> Result<Vec<File
         ("depth-inversions", &tables.inversions),
         ("setup-and-fill", &tables.setup_and_fill),
         ("parts", &tables.parts),
+        ("colour", &tables.colour),
+        ("traversal", &tables.traversal),
     ];
     let folder = Path::new(FOLDER);
     let mut files: Vec<File> = named
