@@ -94,7 +94,7 @@ fn errors<P: Pixel>(allowed: &str) -> Errors {
 /// Every error that is allowed, on displays of 8 bits a channel, and of 5 and 6.
 pub(crate) fn within(allowed: &'static str) -> Vec<Row> {
     let row = |display, errors: &Errors| {
-        let method = format!("gouraud within {allowed}, {display}");
+        let method = format!("gouraud within {allowed} in {display}");
         Row::new("colour", "triangles of all sizes", method, ["shown", "code of 255"], errors)
             .reaching(REACHED)
     };
