@@ -70,7 +70,8 @@
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
 //!    [`PerPixel`] by at most `U 2^-13`, with U the power of two of texels that holds the triangle's, up to a ratio of w
 //!    of 64 and within 500 pixels of that vertex; with [`Within`] by what the caller allows, if that is more, and the value's
-//!    share above; a depth by `(n + m + 2) 2^-17 + 2^-11` codes of [`Depth16`].
+//!    share above; a colour of [`GouraudWithin`] likewise, in codes; a depth by `(n + m + 2) 2^-17 + 2^-11` codes of
+//!    [`Depth16`].
 //!    (`tests/against_reference`, `tests/stability`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
 //!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
@@ -158,11 +159,11 @@ pub use mesh::{MAX_UV_EXPONENT, MAX_VERTICES, Mesh, MeshError};
 pub use pixel::Pixel;
 pub use point::{Point, point};
 pub use pose::Pose;
-pub use raster::{BoxWalk, Spans};
+pub use raster::{BoxWalk, BySize, Spans};
 pub use setup::Cull;
 pub use shade::{
-    Affine, Divide, Divided, Flat, Gouraud, Lighting, LitTexture, Material, PerPixel, Portable, Subspans,
-    Sun, Textured, Unlit, Within,
+    Affine, ColourError, Divide, Divided, Flat, Gouraud, GouraudWithin, Lighting, LitTexture, Material,
+    PerPixel, Portable, Subspans, Sun, Textured, Unlit, Within,
 };
 pub use target::{Strip, StripError};
 pub use texture::{MAX_TEXTURE_SIZE, Texture, TextureError, Wrap};

@@ -1,11 +1,11 @@
-//! Which pixels a triangle covers, by both walks, at five sizes.
+//! Which pixels a triangle covers, by every walk, at six sizes.
 
 use std::convert::Infallible;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use topleft::stages::{Setup, Snapped, Traversal, Window};
-use topleft::{BoxWalk, Spans};
+use topleft::{BoxWalk, BySize, Spans};
 
 const WINDOW: Window = Window { columns: 0..240, rows: 0..240 };
 
@@ -21,7 +21,7 @@ fn pixels<T: Traversal>(setup: &Setup) -> u32 {
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("raster");
-    for side in [4, 8, 16, 64, 200] {
+    for side in [2, 4, 8, 16, 64, 200] {
         // Leaning, so that no edge is level or upright.
         let corners = [[0.13, 0.05], [0.98, 0.31], [0.33, 0.97]];
         let points = corners.map(|corner| corner.map(|c: f64| (c * f64::from(side) * 256.0) as i32));
@@ -32,6 +32,9 @@ pub(crate) fn bench(criterion: &mut Criterion) {
         });
         group.bench_function(BenchmarkId::new("BoxWalk", side), |bencher| {
             bencher.iter(|| pixels::<BoxWalk>(black_box(&setup)));
+        });
+        group.bench_function(BenchmarkId::new("BySize", side), |bencher| {
+            bencher.iter(|| pixels::<BySize>(black_box(&setup)));
         });
     }
     group.finish();

@@ -9,8 +9,9 @@ use embedded_graphics::prelude::{PixelColor, Point, RgbColor, Size};
 use embedded_graphics::primitives::Rectangle;
 use topleft::stages::Traversal;
 use topleft::{
-    Affine, BoxWalk, Camera, Cull, Divided, DrawError, DrawList, Flat, Gouraud, ListTriangle, Material, Mesh,
-    PerPixel, Pixel, Portable, Pose, Spans, Stats, Subspans, Sun, Texture, Textured, Viewport, Within,
+    Affine, Attribute, BoxWalk, BySize, Camera, ColourError, Cull, Divided, DrawError, DrawList, Flat,
+    Gouraud, ListTriangle, Material, Mesh, PerPixel, Pixel, Portable, Pose, Spans, Stats, Subspans, Sun,
+    Texture, Textured, Viewport, Within,
 };
 
 use crate::lens::Seen;
@@ -34,10 +35,11 @@ pub(crate) enum Look {
     Within,
     WithinLit,
     Divided,
+    GouraudWithin,
 }
 
 impl Look {
-    pub(crate) const ALL: [Self; 12] = [
+    pub(crate) const ALL: [Self; 13] = [
         Self::Flat,
         Self::FlatLit,
         Self::Gouraud,
@@ -50,6 +52,7 @@ impl Look {
         Self::Within,
         Self::WithinLit,
         Self::Divided,
+        Self::GouraudWithin,
     ];
 }
 
@@ -96,6 +99,7 @@ impl Picture<'_> {
         if outcomes != others {
             return Err(format!("{outcomes:?} by one traversal, {others:?} by the other"));
         }
+        self.by::<P, D, BySize>()?.1.same("the traversal by size", &frame)?;
         self.check_outcomes(&outcomes)?;
         if !D::SORTED && outcomes.iter().all(|(result, _)| result.is_ok()) {
             self.apart::<P, D>().same("a list for each mesh", &frame)?;
@@ -233,6 +237,8 @@ fn add<'a, P: Pixel, D: Strips, T: Traversal>(
     let affine = Textured::new(texture, Affine);
     let exact = Textured::new(texture, PerPixel);
     let within = Textured::new(texture, Within::default());
+    // Some triangles of any colours are of one, and others are not.
+    let rough = ColourError::codes(Attribute::lit("60"));
     match look {
         Look::Flat => list.draw(camera, mesh, pose, &Flat::new(*material)),
         Look::FlatLit => list.draw(camera, mesh, pose, &Flat::new(*material).lit_by(sun)),
@@ -245,6 +251,7 @@ fn add<'a, P: Pixel, D: Strips, T: Traversal>(
         Look::Subspans => list.draw(camera, mesh, pose, &Textured::new(texture, Subspans::Of8)),
         Look::Within => list.draw(camera, mesh, pose, &within),
         Look::WithinLit => list.draw(camera, mesh, pose, &within.lit_by(sun)),
+        Look::GouraudWithin => list.draw(camera, mesh, pose, &Gouraud::unlit(material).within(rough)),
         Look::Divided => list.draw(camera, mesh, pose, &Textured::new(texture, Divided::<Portable>::new())),
     }
 }

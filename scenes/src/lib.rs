@@ -13,4 +13,4 @@ mod shade;
 
 pub use all::{SCENES, by_name};
 pub use scene::{Camera, Object, Scene, Spin, View};
-pub use shade::{Look, Method, Shade};
+pub use shade::{Look, Method, Shade, sun};

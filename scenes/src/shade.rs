@@ -77,7 +77,7 @@ impl Method {
 }
 
 /// A sun above the viewer's left shoulder.
-pub(crate) fn sun() -> Sun {
+pub fn sun() -> Sun {
     const TOWARDS: [Length; 3] = [Length::lit("-0.5"), Length::lit("0.9"), Length::lit("0.7")];
     Sun::new(TOWARDS)
 }

@@ -7,6 +7,8 @@
 //!   for that to be exact as well, by one addition.
 //! * [`BoxWalk`] tests the edge functions at every pixel of the bounding box.
 //!
+//! [`BySize`] takes the box for the smallest triangles and spans for all others.
+//!
 //! A pixel belongs to a triangle where its centre is inside, or on a top or left edge.
 
 use core::ops::Range;
@@ -14,10 +16,12 @@ use core::ops::Range;
 use crate::setup::Setup;
 
 mod box_walk;
+mod by_size;
 mod edge;
 mod spans;
 
 pub use box_walk::BoxWalk;
+pub use by_size::BySize;
 pub use spans::Spans;
 
 /// The covered pixels of one row: columns `start` up to, and without, `end`. Never empty.

@@ -12,6 +12,8 @@ use crate::snapped::first_centre;
 /// With the top-left rule both ends of a span are the same function of an edge, the first pixel centre at or right of
 /// it, whichever side the triangle is on: so neighbours cannot disagree. Edges are integer DDAs, or one addition a row
 /// where the triangle is small enough for that to be exact as well.
+///
+/// The cheapest for all but the smallest triangles: up to 4 px [`BySize`](super::BySize) is.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spans;
 

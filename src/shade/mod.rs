@@ -23,8 +23,8 @@ mod textured;
 
 pub use flat::Flat;
 pub(crate) use flat::FlatPixel;
-pub use gouraud::Gouraud;
 pub(crate) use gouraud::GouraudPixel;
+pub use gouraud::{ColourError, Gouraud, GouraudWithin};
 pub use light::{Lighting, Material, Sun, Unlit};
 pub use perspective::{
     Affine, Correction, Divide, Divided, DrawTexels, PerPixel, Portable, Subspans, Within,

@@ -22,6 +22,8 @@ mod probe;
 #[path = "../against_reference/random.rs"]
 mod random;
 
+#[path = "../against_reference/colour.rs"]
+mod colour;
 #[path = "../against_reference/depth.rs"]
 mod depth;
 #[path = "../against_reference/frames.rs"]
@@ -109,7 +111,15 @@ fn parts() -> Vec<Part> {
     parts.push(part("texels: whole path", || vec![texels::whole_path()]));
     parts.push(part("light", || [light::on_vertices(), light::on_faces()].concat()));
     parts.extend(
+        colour::ALLOWED
+            .map(|allowed| part(format!("colour: within {allowed}"), move || colour::within(allowed))),
+    );
+    parts.extend(
         SCENES.iter().map(|scene| part(format!("frames: {}", scene.name), || frames::of_scene(scene))),
+    );
+    parts.extend(
+        frames::SMOOTH
+            .map(|name| part(format!("frames: {name} in one colour"), move || frames::within_colour(name))),
     );
     parts
 }

@@ -7,8 +7,10 @@ use reference::raster::covers;
 use reference::setup::Triangle;
 use reference::shade::{from_rgb565, to_rgb565};
 use reference::varying::linear;
-use scenes::{SCENES, Scene, Shade};
-use topleft::{Depth16, DrawList, ListTriangle, Material, Pixel, Strip, Turn};
+use scenes::{Object, SCENES, Scene, Shade, sun};
+use topleft::{
+    Attribute, ColourError, Depth16, DrawList, Gouraud, ListTriangle, Material, Pixel, Strip, Turn,
+};
 
 use crate::measured::{Errors, Row, hold};
 use crate::patches::{Frame, Patch};
@@ -73,7 +75,14 @@ fn texture_shows(
 }
 
 /// Holds a colour against what a pixel that shows a patch may show; nothing where the bound says nothing.
-fn shown(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact: [f64; 3]) -> Option<Shown> {
+fn shown(
+    scene: &Scene,
+    patch: &Patch,
+    at: [i64; 2],
+    ours: u16,
+    exact: [f64; 3],
+    allowed: f64,
+) -> Option<Shown> {
     let look = &scene.objects[patch.object].look;
     match look.shade {
         Shade::Plain => Some(Shown { right: ours == to_rgb565(exact), off: HALF_STEP }),
@@ -94,7 +103,8 @@ fn shown(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact: [f64; 3])
                     .into_iter()
                     .sum(),
             };
-            let off = colour + LIT + 255.0 * interpolation(16, patch.steps(at[0], at[1]), 1.0) + half(7);
+            let off =
+                allowed + colour + LIT + 255.0 * interpolation(16, patch.steps(at[0], at[1]), 1.0) + half(7);
             let (off, apart) = (HALF_STEP.map(|step| step + off), apart(from_rgb565(ours), exact));
             Some(Shown { right: (0..3).all(|k| apart[k] <= off[k]), off })
         }
@@ -102,8 +112,13 @@ fn shown(scene: &Scene, patch: &Patch, at: [i64; 2], ours: u16, exact: [f64; 3])
     }
 }
 
-/// What the library draws: faces, colours and depths.
-fn drawn(scene: &Scene, size: Size, view: &scenes::View) -> (Vec<Seen>, Vec<u16>, Vec<u16>) {
+/// What the library draws: faces, colours and depths. The colours are listed by `list_colours`.
+fn drawn(
+    scene: &Scene,
+    size: Size,
+    view: &scenes::View,
+    list_colours: impl FnOnce(&mut DrawList<'_, u16, Depth16>),
+) -> (Vec<Seen>, Vec<u16>, Vec<u16>) {
     let (width, pixels) = (size.width as u16, (size.width * size.height) as usize);
     let rows = 0..size.height as i32;
     let storage = || (vec![0; 1 << 16], vec![ListTriangle::EMPTY; 4000]);
@@ -130,7 +145,7 @@ fn drawn(scene: &Scene, size: Size, view: &scenes::View) -> (Vec<Seen>, Vec<u16>
     let mut colours = vec![0; pixels];
     let (mut words, mut triangles) = storage();
     let mut list = DrawList::<u16, Depth16>::new(&mut words, &mut triangles);
-    scene.draw(&mut list, size, view).unwrap();
+    list_colours(&mut list);
     let strip = Strip::new(width, &mut colours).unwrap().with_depth(&mut depths).unwrap();
     let mut strip = strip.with_background(to_rgb565(scene.background.map(f64::from)));
     strip.clear();
@@ -146,14 +161,45 @@ pub(crate) fn of_scene(scene: &Scene) -> Vec<Row> {
         let method = Some(scenes::Method::PerPixel);
         let view = scenes::View { turn: Turn::from_degrees(turn), method, ..scenes::View::default() };
         let frame_of = Frame::new(scene, size, &view);
-        let (faces, colours, depths) = drawn(scene, size, &view);
+        let (faces, colours, depths) =
+            drawn(scene, size, &view, |list| scene.draw(list, size, &view).unwrap());
         let name = format!("{} at {turn} degrees {}x{}", scene.name, size.width, size.height);
-        let result = compare(scene, &frame_of, &faces, &colours, &depths, &name);
+        let result = compare(scene, &frame_of, &faces, &colours, &depths, 0.0, &name);
         assert!(result.colours.count() > 1500, "{name}: too little is compared");
         assert!(result.any_texel * 20 < result.colours.count(), "{name}: the bounds say too little");
         rows.extend(result.rows(&name, faces.len() as u64));
     }
     rows
+}
+
+/// The scenes of which all is smoothly shaded.
+pub(crate) const SMOOTH: [&str; 2] = ["sphere", "knot"];
+
+/// One of them with triangles of nearly one colour in one: what is allowed is added to what colours may be off by.
+pub(crate) fn within_colour(name: &str) -> Vec<Row> {
+    let scene = scenes::by_name(name).expect("a scene of that name");
+    let (size, view) =
+        (Size::new(240, 240), scenes::View { turn: Turn::from_degrees(20), ..scenes::View::default() });
+    let frame_of = Frame::new(scene, size, &view);
+    [1_u8, 4, 8, 16]
+        .map(|codes| {
+            let error = ColourError::codes(Attribute::from_num(codes));
+            let (faces, colours, depths) = drawn(scene, size, &view, |list| {
+                let shader = |object: &Object| Gouraud::new(&sun(), &object.look.material).within(error);
+                scene.draw_with(list, size, &view, shader).unwrap();
+            });
+            let result = compare(scene, &frame_of, &faces, &colours, &depths, codes.into(), name);
+            assert!(result.colours.count() > 1500 && result.any_texel == 0, "{name}: too little is compared");
+            let method = format!("gouraud within {codes}");
+            Row::new("frames", name, method, ["colour of one", "code of 255"], &result.colours)
+        })
+        .into()
+}
+
+/// Turned red by: one colour where vertices differ by four times the error, or where a channel of them does.
+#[test]
+fn smooth_scenes_are_off_by_what_is_allowed() {
+    SMOOTH.iter().for_each(|name| hold(&within_colour(name)));
 }
 
 /// Turned red by: y up, a sun that turns with the mesh, colours that are truncated, another far code, u for v.
@@ -207,6 +253,7 @@ fn compare(
     faces: &[Seen],
     colours: &[u16],
     depths: &[u16],
+    allowed: f64,
     name: &str,
 ) -> Result {
     let mut result = Result::default();
@@ -241,7 +288,7 @@ fn compare(
         let Some(patch) = patches(exact).iter().find(|patch| covers(patch.triangle, x, y)) else { continue };
         let (depth, off) = patch.depth(x, y);
         result.depth.add(outside(depths[index].into(), depth), off, || format!("{name} at {x}, {y}"));
-        match shown(scene, patch, [x, y], colours[index], pixel.colour) {
+        match shown(scene, patch, [x, y], colours[index], pixel.colour, allowed) {
             None => result.any_texel += 1,
             Some(shown) => {
                 let (colour, exact) = (from_rgb565(colours[index]), pixel.colour);

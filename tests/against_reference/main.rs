@@ -13,6 +13,7 @@ mod patches;
 
 mod numbers;
 mod light;
+mod colour;
 mod texture;
 mod interpolation;
 mod vertices;

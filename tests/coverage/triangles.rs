@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use topleft::stages::Window;
-use topleft::{BoxWalk, Spans};
+use topleft::{BoxWalk, BySize, Spans};
 
 use crate::support::check;
 use crate::support::exact::{compare, expected};
@@ -18,7 +18,8 @@ fn agree(name: &str, cases: u32, strategy: &impl proptest::strategy::Strategy<Va
         visible.set(visible.get() + u64::from(!spans.is_empty()));
         pixels.set(pixels.get() + spans.iter().map(|span| (span.end - span.start) as u64).sum::<u64>());
         compare::<Spans>(triangle, &window, &spans)?;
-        compare::<BoxWalk>(triangle, &window, &spans)
+        compare::<BoxWalk>(triangle, &window, &spans)?;
+        compare::<BySize>(triangle, &window, &spans)
     });
     assert!(visible.get() * 10 > u64::from(cases), "most of the triangles are not seen in their windows");
     Row::none_of(pixels.get(), &format!("px of {cases} triangles"), "coverage", name, "spans and box walk")
@@ -95,6 +96,7 @@ fn all_triangles_of_a_half_pixel_lattice_are_exact() {
                         count += 1;
                         compare::<Spans>(triangle, &window, &spans)
                             .and_then(|()| compare::<BoxWalk>(triangle, &window, &spans))
+                            .and_then(|()| compare::<BySize>(triangle, &window, &spans))
                             .unwrap_or_else(|error| panic!("{triangle:?}: {error}"));
                     }
                 }

@@ -25,6 +25,17 @@ pub(crate) fn interpolation_by_design(bits: u32, steps: u64, range: f64, over_th
 /// rounding errors are uniform, and one in eight pairs of them has both above a half with one sign.
 pub(crate) const REACHED: f64 = 0.5;
 
+// Colours, in codes of 255.
+
+/// Of a channel that a display of `max` steps shows, where it is off by `steps` of them before it is rounded: half a step for
+/// that, and a code in steps is rounded down to 2^-16 of one, 255 times.
+pub(crate) fn shown(max: f64, steps: f64) -> f64 {
+    (0.5 + 255.0 * half(16) + steps) * 255.0 / max
+}
+
+/// The middle of two channels, rounded down: in steps of the display's.
+pub(crate) const MIDDLE: f64 = half(17);
+
 // Texels, per pixel. In units of the triangle's box of texels, U.
 
 /// Of a reciprocal r of x, from 1 to 2: the chord lies up to 2^-14 above, and the table is rounded by half a step of 2^-16
@@ -152,7 +163,7 @@ pub(crate) const CAMERA: f64 = half(21);
 
 /// Where the bounds of `docs/measured/accuracy.csv` come from, by its columns `stage` and `metric`. What the names in
 /// them are is derived above.
-pub(crate) const DERIVED: [(&str, &str, &str); 21] = [
+pub(crate) const DERIVED: [(&str, &str, &str); 23] = [
     ("coverage", "mismatches", "exact: the reference counts in 128-bit integers"),
     ("interpolation", "value", "`interpolation`, with the fraction bits of the format"),
     ("vertices", "place", "half a step, and `PERSPECTIVE_DIVIDE`; in a scene `vertex_on_screen` of `clip`"),
@@ -175,6 +186,11 @@ pub(crate) const DERIVED: [(&str, &str, &str); 21] = [
     ("texels", "of 254", "`affine` of 254 texels, and `interpolation` with 16 bits"),
     ("light", "lit colour", "`LIT`; of a plane's normal `PLANE_NORMAL` more"),
     ("light", "light", "`LIGHT_STEPS`"),
+    (
+        "colour",
+        "shown",
+        "`shown` of `interpolation`; what is allowed and `shown` of `MIDDLE`, where it is one colour",
+    ),
     ("camera", "value", "`SINE`, and half a step of 2^-16 in 32767 for how it is read"),
     (
         "camera",
@@ -197,6 +213,7 @@ pub(crate) const DERIVED: [(&str, &str, &str); 21] = [
         "colour",
         "the furthest of the colours that the bounds of texel and light allow, or `LIT` and `interpolation`; rounded to RGB565",
     ),
+    ("frames", "colour of one", "what is allowed more than for a colour that is interpolated"),
     (
         "frames",
         "PSNR (a least value)",

@@ -3,12 +3,14 @@
 //! The same cases run on a host, where nothing is measured: the checksums of their frames have to be the same.
 #![no_std]
 
+mod budget;
 mod crc;
 mod grid;
 mod measure;
 mod row;
 mod scene;
 mod sizes;
+mod small;
 mod texels;
 mod traversal;
 
@@ -58,6 +60,7 @@ fn whole_frame(bench: &mut Bench<'_>) {
     };
     grid::all(bench, &mut buffers);
     sizes::all(bench, &mut buffers);
+    small::all(bench, &mut buffers);
 }
 
 /// The scenes in halves of the panel, as an RP2040 has no room for a whole frame beside their lists: 113 KB of the stack,
@@ -91,4 +94,5 @@ fn strips(bench: &mut Bench<'_>) {
     grid::all(bench, &mut buffers);
     scene::all(bench, &mut buffers);
     texels::all(bench, &mut buffers);
+    budget::all(bench, &mut buffers);
 }

@@ -125,9 +125,20 @@ impl<'c> Bench<'c> {
         (end - start).saturating_sub(self.overhead)
     }
 
-    /// Measures a case and reports its row. Not inlined: the lists of all cases at once would not leave room for a frame.
-    #[inline(never)]
+    /// Measures a case by spans, and reports its row.
     pub(crate) fn case<C: Case>(&mut self, case: &C, buffers: &mut Buffers<'_>) {
+        self.by::<Spans, _>(case.method(), case, buffers);
+    }
+
+    /// Measures a case by a traversal, and reports its row. Not inlined: the lists of all cases at once would not leave
+    /// room for a frame.
+    #[inline(never)]
+    pub(crate) fn by<T: Traversal, C: Case>(
+        &mut self,
+        method: &'static str,
+        case: &C,
+        buffers: &mut Buffers<'_>,
+    ) {
         let Buffers { colours, depths, words, triangles, scratch } = buffers;
         let background = <u16 as topleft::Pixel>::from_rgb(case.background());
         let mut strip = C::Depth::strip(colours, depths).with_background(background);
@@ -147,7 +158,7 @@ impl<'c> Bench<'c> {
             case.draw::<Nothing>(&mut list).expect(fits);
             tops().map(|top| self.time(Part::Setup, &mut || list.render(part(top), &mut strip))).sum()
         };
-        let mut list = DrawList::<_, _, Spans>::with_traversal(words, triangles);
+        let mut list = DrawList::<_, _, T>::with_traversal(words, triangles);
         let vertex = self.time(Part::Vertex, &mut || {
             case.draw(&mut list).expect(fits);
             C::Depth::sort(&mut list, scratch);
@@ -160,7 +171,7 @@ impl<'c> Bench<'c> {
         }
         (self.report)(&Row {
             scene: case.scene(),
-            method: case.method(),
+            method,
             strip_rows: rows as usize,
             triangles: list.stats().drawn,
             pixels,

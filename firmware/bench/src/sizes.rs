@@ -13,7 +13,7 @@ use crate::measure::{Bench, Buffers, Case, PANEL};
 
 /// Triangles in a row and in a column of the screen.
 const ROW: usize = 8;
-const VERTICES: usize = 3 * ROW * ROW;
+pub(crate) const VERTICES: usize = 3 * ROW * ROW;
 
 /// Triangles with sides of 1, in 1/1024, that lean in eight ways: counter-clockwise, y up.
 #[rustfmt::skip]
@@ -29,7 +29,7 @@ const SHAPES: [[[i32; 2]; 3]; ROW] = [
 ];
 
 /// Triangles of `side` pixels in the middles of 8 x 8 cells of the screen, each half a unit nearer than the one before.
-const fn positions(side: i32) -> [[i16; 3]; VERTICES] {
+pub(crate) const fn positions(side: i32) -> [[i16; 3]; VERTICES] {
     let mut positions = [[0; 3]; VERTICES];
     let mut i = 0;
     while i < VERTICES {
@@ -46,7 +46,7 @@ const fn positions(side: i32) -> [[i16; 3]; VERTICES] {
 }
 
 /// A texel a pixel, of a texture of 64.
-const fn uvs(positions: &[[i16; 3]; VERTICES]) -> [[i16; 2]; VERTICES] {
+pub(crate) const fn uvs(positions: &[[i16; 3]; VERTICES]) -> [[i16; 2]; VERTICES] {
     let mut uvs = [[0; 2]; VERTICES];
     let mut i = 0;
     while i < VERTICES {
@@ -86,7 +86,10 @@ const fn checked(mesh: Result<Mesh<'static>, MeshError>) -> Mesh<'static> {
     }
 }
 
-const fn mesh(positions: &'static [[i16; 3]; VERTICES], uvs: &'static [[i16; 2]; VERTICES]) -> Mesh<'static> {
+pub(crate) const fn mesh(
+    positions: &'static [[i16; 3]; VERTICES],
+    uvs: &'static [[i16; 2]; VERTICES],
+) -> Mesh<'static> {
     let mesh = checked(Mesh::new(positions, &FACES)).with_box([Length::ZERO; 3], GRID240.half());
     let mesh = checked(mesh.with_normals(&NORMALS));
     checked(checked(mesh.with_uvs(uvs, 3)).with_vertex_colours(&COLOURS))
@@ -106,14 +109,14 @@ macro_rules! sizes {
 sizes! { 4 8 16 32 64 }
 
 /// A unit a pixel, without perspective.
-const LEVEL: MatrixCamera<false> =
+pub(crate) const LEVEL: MatrixCamera<false> =
     MatrixCamera::new(PANEL, matrix([[8, 0, 0, 0], [0, 8, 0, 0], [0, 0, -8, 480], [0, 0, 0, 960]]));
 
 /// The same with w from 3/4 at the bottom to 5/4 at the top.
 const RECEDING: MatrixCamera<true> =
     MatrixCamera::new(PANEL, matrix([[8, 0, 0, 0], [0, 8, 0, 0], [0, 0, -8, 480], [0, 2, 0, 960]]));
 
-const PAINT: Material = Material::Colour([200, 80, 40]);
+pub(crate) const PAINT: Material = Material::Colour([200, 80, 40]);
 
 fn light() -> Sun {
     Sun::new([Length::ZERO, Length::ZERO, Length::ONE])

@@ -9,7 +9,7 @@ use crate::figures::Tables;
 use crate::host::{self, Timed};
 use crate::table::{Table, figure, number};
 use crate::texels::{self, Texels};
-use crate::{depth, method, ram, within};
+use crate::{colour, depth, method, ram, traversal, within};
 
 /// What is read.
 #[derive(Clone, Debug)]
@@ -84,6 +84,8 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
         parts: cost::parts(&setup_and_fill, &inputs.cores, &inputs.flash, &ram),
         ram,
         setup_and_fill,
+        colour: colour::table(&inputs.cores),
+        traversal: traversal::table(&inputs.cores),
         peers: inputs.peers.clone(),
     })
 }

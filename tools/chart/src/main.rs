@@ -20,11 +20,13 @@ mod tolerance;
 mod method;
 mod spy;
 
+mod colour;
 mod cost;
 mod depth;
 mod host;
 mod ram;
 mod texels;
+mod traversal;
 mod within;
 
 mod figures;

@@ -35,6 +35,8 @@ pub(crate) fn files(root: &Path, tables: &Tables, _: &Inputs) -> Result<Vec<File
         ("setup-and-fill", &tables.setup_and_fill),
         ("parts", &tables.parts),
         ("ram", &tables.ram),
+        ("colour", &tables.colour),
+        ("traversal", &tables.traversal),
     ];
     let folder = Path::new(FOLDER);
     let mut files: Vec<File> = named

@@ -8,9 +8,10 @@ use scenes::mesh::CUBE;
 use scenes::texture::BRICK;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Affine, Aligned, BoxWalk, Camera, Cull, Depth, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat,
-    Gouraud, Hiding, Length, ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth,
-    Painter, PerPixel, Pixel, Portable, Pose, Strip, Subspans, Sun, Texture, Textured, Turn, Within, Wrap,
+    Affine, Aligned, BySize, Camera, ColourError, Cull, Depth, Depth16, DepthFloat, Divided, DrawError,
+    DrawList, Flat, Gouraud, Hiding, Length, ListStorage, ListTriangle, Material, Matrix, MatrixCamera, Mesh,
+    NoDepth, Painter, PerPixel, Pixel, Portable, Pose, Strip, Subspans, Sun, Texture, Textured, Turn, Within,
+    Wrap,
 };
 
 use crate::screen::{SIZE, Screen};
@@ -117,11 +118,11 @@ pub(crate) fn cheapest() {
     black_box(Hiding::cheapest(&camera, black_box(&things), black_box(Length::ONE)));
 }
 
-/// Bare 16-bit cells, pixels found by walking boxes, rows rendered one strip at a time.
+/// Bare 16-bit cells, pixels found by walking boxes or spans, rows rendered one strip at a time.
 pub(crate) fn by_boxes(screen: &mut Screen) -> Result<(), Infallible> {
     let (mut words, mut triangles) = ([0; 600], [ListTriangle::EMPTY; 60]);
     let (mut colours, mut depths) = ([0_u16; WIDTH * ROWS], [0; WIDTH * ROWS]);
-    let mut list = DrawList::<u16, Depth16, BoxWalk>::with_traversal(&mut words, &mut triangles);
+    let mut list = DrawList::<u16, Depth16, BySize>::with_traversal(&mut words, &mut triangles);
     black_box(every_shader(&mut list)).ok();
     if let Ok(strip) = Strip::new(SIZE.width as u16, &mut colours)
         && let Ok(mut strip) = strip.with_depth(&mut depths)
@@ -145,6 +146,7 @@ fn every_shader<'a, P: Pixel, D: Depth, T: Traversal>(
     draw(list, mesh, &Flat::new(brass))?;
     draw(list, mesh, &Flat::new(black_box(Material::OfMesh)).lit_by(&sun))?;
     draw(list, mesh, &Gouraud::new(&sun, &brass))?;
+    draw(list, mesh, &Gouraud::new(&sun, &brass).within(black_box(ColourError::default())))?;
     draw(list, mesh, &Textured::new(&texture, Affine))?;
     draw(list, mesh, &Textured::new(&texture, PerPixel))?;
     draw(list, mesh, &Textured::new(&texture, black_box(Subspans::Of16)))?;

@@ -19,6 +19,8 @@ pub(crate) struct Tables {
     pub(crate) setup_and_fill: Table,
     pub(crate) parts: Table,
     pub(crate) ram: Table,
+    pub(crate) colour: Table,
+    pub(crate) traversal: Table,
     /// Written by `tools/peers`, where it was.
     pub(crate) peers: Option<Table>,
 }

@@ -10,6 +10,10 @@ use crate::pose::Pose;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
+mod within;
+
+pub use within::{ColourError, GouraudWithin};
+
 /// A colour a vertex, interpolated over the face: lit by the vertices' normals, or the mesh's own colours as they are.
 ///
 /// Colours are interpolated in steps of the display's own channels, with 16 fraction bits, and rounded to nearest.
