@@ -85,7 +85,7 @@ pub trait PixelShader<'a, P>: Copy {
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
     /// Has a triangle drawn: by this shader, or by a cheaper one that shows the same of it, or what the caller allowed.
-    #[inline]
+    #[inline(always)]
     fn choose<D: DrawTriangle<'a, P>>(
         &self,
         colour: [u8; 3],

@@ -46,7 +46,7 @@ pub trait Correction: Copy {
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
     /// Has a triangle drawn: by this method, or by a cheaper one that is as near as the caller allowed.
-    #[inline]
+    #[inline(always)]
     fn choose<D: DrawTexels>(
         self,
         texels: [[Attribute; 2]; 3],
