@@ -20,8 +20,11 @@ pub(crate) struct ClipVertex {
 /// What a vertex between two others carries.
 pub(crate) type Mix<'m> = &'m dyn Fn(&Carried, &Carried, Fraction) -> Carried;
 
-/// Three vertices, and one more a plane.
-pub(crate) type Polygon = Vec<ClipVertex, 9>;
+/// Corners of what is left of a triangle, at most: three, and one more a plane.
+pub(crate) const MOST_CORNERS: usize = 9;
+
+/// What is left of a triangle.
+pub(crate) type Polygon = Vec<ClipVertex, MOST_CORNERS>;
 
 /// The planes that a vertex lies outside of, a bit each: near, far, left, right, top, bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

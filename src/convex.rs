@@ -12,7 +12,8 @@ impl Mesh<'_> {
     ///
     /// A face without area has no plane. One with two corners in one place is never drawn, and says nothing. One with
     /// three corners in a row can be seen once they are snapped to the screen, and may lie anywhere inside: a mesh with
-    /// such a face does not count as convex.
+    /// such a face does not count as convex. A face that is seen less than a step or two of 1/256 px high can be turned over
+    /// by snapping as well: that depends on how far away it is, and is not looked at.
     ///
     /// It takes a product of each face with each vertex, up to the first that contradicts another.
     ///

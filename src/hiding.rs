@@ -55,7 +55,7 @@ const MOST_APART: usize = 32;
 ///     Hiding::DepthFloat => {
 ///         let mut list = storage.list();
 ///         draw(&mut list, &camera, &things)?;
-///         list.render(0..64, &mut frame.with_float_depth(&mut depths)?);
+///         list.render(0..64, &mut frame.with_depth_float(&mut depths)?);
 ///     }
 /// }
 /// assert_eq!(Hiding::cheapest(&camera, &things, one_percent), Hiding::Painter);
@@ -76,8 +76,10 @@ pub enum Hiding {
 }
 
 impl Hiding {
-    /// The cheapest way that shows no pixel of what is hidden, where one kind of faces is culled
-    /// ([`Cull::Back`](crate::Cull::Back), as lists do unless told otherwise).
+    /// The cheapest way that shows nothing of what is hidden, where one kind of faces is culled
+    /// ([`Cull::Back`](crate::Cull::Back), as lists do unless told otherwise): but for slivers that are seen less than a step
+    /// or two of 1/256 px high. Snapping can turn such a one on the far side over, and it then shows where it holds a
+    /// pixel centre.
     ///
     /// `gap` is what a depth buffer has to tell apart: how far one surface lies behind another, as a share of their
     /// distance from the eye. Where it is 0 or negative, the buffer is the one that is finer at the farthest thing in view.
@@ -101,9 +103,12 @@ impl Hiding {
     /// enough.
     ///
     /// Whether meshes are convex is looked at last, where all else allows to go without a buffer: it takes a product of
-    /// each face with each vertex. Anything else takes some thousand cycles a mesh.
+    /// each face with each vertex, which for meshes of hundreds of faces is more than to draw them. Ask once a scene then,
+    /// not once a frame. Anything else takes some thousand cycles a mesh.
     pub fn cheapest<C: Camera>(camera: &C, things: &[(&Mesh<'_>, &Pose)], gap: Length) -> Self {
-        let Ok(viewport) = camera.viewport() else { return Self::Culling };
+        let (Ok(viewport), false) = (camera.viewport(), *camera.matrix() == Matrix::NOWHERE) else {
+            return Self::Culling;
+        };
         let mut ranges: Vec<(&Mesh<'_>, [u16; 2]), MOST_APART> = Vec::new();
         let (mut farthest, mut too_many) = (u32::MAX, false);
         for &(mesh, pose) in things {

@@ -13,7 +13,7 @@ use super::buffer::Code;
 /// codes are 2^-27 apart, as small floats are that have no leading one.
 ///
 /// The plane under it is off by at most `(n + m + 2) 2^-33 + 2^-27`, n columns and m rows from the triangle's first vertex.
-/// Near the eye that is less than a thousandth of a code; where depths are below 2^-15 it is `1 + (n + m + 2) / 64` codes. It
+/// Near the eye that is less than a hundredth of a code; where depths are below 2^-15 it is `1 + (n + m + 2) / 64` codes. It
 /// comes to more than `2^-12 w` where w is beyond `2^21 / (n + m + 66)`.
 ///
 /// ```
@@ -29,7 +29,7 @@ use super::buffer::Code;
 ///
 /// let mut storage: ListStorage<64, 8> = ListStorage::new();
 /// let (mut colours, mut depths) = ([0_u16; 32 * 32], [0; 32 * 32]);
-/// let mut strip = Strip::new(32, &mut colours)?.with_float_depth(&mut depths)?;
+/// let mut strip = Strip::new(32, &mut colours)?.with_depth_float(&mut depths)?;
 /// strip.clear();
 /// let mut list = storage.list::<_, DepthFloat>();
 /// list.draw(&camera, &mesh, &pose, &Flat::new(Material::OfMesh))?;

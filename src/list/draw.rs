@@ -6,7 +6,7 @@ use super::drawing::{Drawing, Layout, Shaded, UNSEEN};
 use super::render::{self, stride};
 use super::{Block, DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
 use crate::camera::Camera;
-use crate::clip::{Outcode, Polygon, least};
+use crate::clip::{MOST_CORNERS, Outcode, Polygon, least};
 use crate::depth::Depth;
 use crate::math::format::Coord;
 use crate::mesh::Mesh;
@@ -38,8 +38,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             self.stats.outside += faces;
             return Ok(());
         }
-        let before = self.used_words;
-        let (kept, base) = self.keep::<S::Pixel>(&shader.pixel(), mesh.positions().len())?;
+        let before = (self.used_words, self.shaders.len());
+        let (kept, base) = self.keep::<S::Pixel>(&shader.pixel(), mesh)?;
         self.size = [viewport.width(), viewport.height()];
         self.stats.faces += faces;
         let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
@@ -57,16 +57,21 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
 
     /// Adds a mesh: whatever its shader and its camera are, this is linked once.
     #[inline(never)]
-    fn add(&mut self, drawing: &Drawing<'_, D>, before: usize) -> Result<(), DrawError> {
+    fn add(
+        &mut self,
+        drawing: &Drawing<'_, D>,
+        (words_before, shaders_before): (usize, usize),
+    ) -> Result<(), DrawError> {
         let &Drawing { mesh, layout: Layout { stride, .. }, base, .. } = drawing;
         let faces = mesh.faces().len();
         let start = self.used_words;
         let first = (start - base).checked_div(stride).unwrap_or_default();
         let words = mesh.positions().len() * stride;
         if !self.reserve(words) {
-            // Without padding again: nothing of this mesh is in the list.
+            // Without padding, and without its shader: nothing of this mesh is in the list.
             let missing = self.used_words + words - self.words.len();
-            self.used_words = before;
+            self.used_words = words_before;
+            self.shaders.truncate(shaders_before);
             return Err(DrawError::Full { triangles: faces, words: missing });
         }
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
@@ -89,11 +94,12 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     }
 
     /// Where a shader is kept, and the first word of its vertices: the same place as an equal one before it, as long
-    /// as its triangles can name `vertices` more.
-    fn keep<S: PixelShader<'a, P>>(&mut self, shader: &S, vertices: usize) -> Result<(u8, usize), DrawError> {
+    /// as its triangles can name all vertices that the mesh can need, with all of its faces cut.
+    fn keep<S: PixelShader<'a, P>>(&mut self, shader: &S, mesh: &Mesh<'_>) -> Result<(u8, usize), DrawError> {
         let uniforms = shader.uniforms();
         let draw: DrawFn<'a, P, D> = render::triangle::<P, D, T, S>;
         let stride = stride::<P, D, S>();
+        let vertices = mesh.positions().len() + MOST_CORNERS * mesh.faces().len();
         for (place, kept) in self.shaders.iter().enumerate() {
             let base = kept.block.base();
             let named = (self.used_words - base).div_ceil(stride);

@@ -140,7 +140,7 @@ pub struct Stats {
 /// list is rendered to. Draw all meshes of a frame with cameras of one viewport.
 ///
 /// A vertex takes two words and what its shader and depth need: flat 2, Gouraud 3, textured 4, textured with
-/// perspective 5, lit 1 more, and with depth 1 more. A triangle takes 14 bytes.
+/// perspective 5, lit 1 more, and with depth or in painter's order 1 more. A triangle takes 14 bytes.
 ///
 /// ```
 /// use embedded_graphics_core::geometry::Size;

@@ -20,7 +20,7 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
     /// Draws the list's triangles into some rows of the frame: the strip's first row is `rows.start` from now on.
     ///
     /// What the strip shows stays where no triangle is: clear it first. Triangles are drawn in the order they were
-    /// given. Nothing is changed in the list, so several cores may render from it at once.
+    /// given, or that [`sort`](DrawList::sort) put them in. Nothing is changed in the list, so several cores may render from it at once.
     pub fn render(&self, rows: Range<i32>, strip: &mut Strip<'_, P, D>) {
         let [width, height] = self.size;
         let mut target = strip.rows(rows.start, rows.start.max(0)..rows.end.min(height), 0..width);

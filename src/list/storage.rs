@@ -29,6 +29,11 @@ impl<const WORDS: usize, const TRIANGLES: usize> ListStorage<WORDS, TRIANGLES> {
     pub const fn list<P, D: Depth>(&mut self) -> DrawList<'_, P, D> {
         DrawList::new(&mut self.words, &mut self.triangles)
     }
+
+    /// The same, whose pixels are found by another traversal: [`BySize`](crate::BySize) or [`BoxWalk`](crate::BoxWalk).
+    pub const fn list_with_traversal<P, D: Depth, T>(&mut self) -> DrawList<'_, P, D, T> {
+        DrawList::with_traversal(&mut self.words, &mut self.triangles)
+    }
 }
 
 impl<const WORDS: usize, const TRIANGLES: usize> Default for ListStorage<WORDS, TRIANGLES> {

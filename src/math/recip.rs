@@ -1,5 +1,5 @@
-//! Reciprocals and roots. Elsewhere only edges and the clipper divide: the slope of a shallow edge, an edge that starts
-//! above its window, and where an edge crosses a plane.
+//! Reciprocals and roots. Elsewhere only edges divide: the slope of a shallow edge, and an edge that starts above its
+//! window; and `Divided`, which is asked to.
 //!
 //! All of them are defined to the bit: a table, linear interpolation and Newton steps in integers, so that no chip's
 //! divider can change a pixel. The names are the uses.

@@ -122,12 +122,12 @@ impl<P: Pixel> Paint<P> for Lit {
 }
 
 /// A texture, with what becomes of its texels. What lies beyond its edges is decided once a run.
-pub(super) struct Painter<'t, D> {
+pub(super) struct Painted<'t, D> {
     pub(super) texture: &'t Texture<'t>,
     pub(super) paint: D,
 }
 
-impl<P, D: Paint<P>> Sampler<P> for Painter<'_, D> {
+impl<P, D: Paint<P>> Sampler<P> for Painted<'_, D> {
     #[inline(always)]
     fn show(&mut self, pixel: &mut P, column: i32, row: i32) {
         self.paint.paint(pixel, self.texture.texel(column, row));

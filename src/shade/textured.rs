@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::light::{Lighting, LocalSun, Sun};
 use super::perspective::{Correction, DrawTexels};
-use super::sampler::{Lit, Paint, Painter, Plain};
+use super::sampler::{Lit, Paint, Painted, Plain};
 use super::{DrawTriangle, PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
 use crate::math::format::Attribute;
@@ -49,7 +49,7 @@ impl<'a, C: Correction> Textured<'a, C> {
         paint: impl Paint<P>,
     ) {
         let Self { texture, correction } = self;
-        correction.walk(triangle, start, step, run, &mut Painter { texture, paint });
+        correction.walk(triangle, start, step, run, &mut Painted { texture, paint });
     }
 
     /// The same under a light that falls on each vertex by its normal.
@@ -127,7 +127,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         onto: D,
     ) -> D::Output {
         let Self { texture, correction } = *self;
-        let onto = Onto { texture, onto, pixel: PhantomData::<P> };
+        let onto = OntoTexels { texture, onto, pixel: PhantomData::<P> };
         correction.choose(vertices, inverses, texture.sizes_log2(), onto)
     }
 
@@ -146,13 +146,13 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
 }
 
 /// Where a triangle of a texture is drawn, by whichever method.
-struct Onto<'a, P, D> {
+struct OntoTexels<'a, P, D> {
     texture: Texture<'a>,
     onto: D,
     pixel: PhantomData<P>,
 }
 
-impl<'a, P: Pixel, D: DrawTriangle<'a, P>> DrawTexels for Onto<'a, P, D> {
+impl<'a, P: Pixel, D: DrawTriangle<'a, P>> DrawTexels for OntoTexels<'a, P, D> {
     type Output = D::Output;
 
     #[inline(always)]
@@ -168,7 +168,7 @@ impl<'a, P: Pixel, D: DrawTriangle<'a, P>> DrawTexels for Onto<'a, P, D> {
 
 /// The same, under the light of its vertices.
 struct OntoLit<'a, P, D> {
-    plain: Onto<'a, P, D>,
+    plain: OntoTexels<'a, P, D>,
     light: [Attribute; 3],
 }
 
@@ -182,7 +182,7 @@ impl<'a, P: Pixel, D: DrawTriangle<'a, P>> DrawTexels for OntoLit<'a, P, D> {
         triangle: C::Triangle,
         varyings: [C::Varying; 3],
     ) -> Self::Output {
-        let Self { plain: Onto { texture, onto, .. }, light } = self;
+        let Self { plain: OntoTexels { texture, onto, .. }, light } = self;
         let shader = LitTexturePixel(Textured { texture, correction: method });
         onto.draw(shader, triangle, under(varyings, light))
     }
@@ -261,7 +261,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         onto: D,
     ) -> D::Output {
         let Self(Textured { texture, correction }) = *self;
-        let plain = Onto { texture, onto, pixel: PhantomData::<P> };
+        let plain = OntoTexels { texture, onto, pixel: PhantomData::<P> };
         let onto = OntoLit { plain, light: vertices.map(|vertex| vertex.1) };
         correction.choose(vertices.map(|vertex| vertex.0), inverses, texture.sizes_log2(), onto)
     }

@@ -86,7 +86,7 @@ impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
     ///
     /// # Errors
     /// Fewer depths than pixels.
-    pub fn with_float_depth(self, depths: &'s mut [u16]) -> Result<Strip<'s, P, DepthFloat>, StripError> {
+    pub fn with_depth_float(self, depths: &'s mut [u16]) -> Result<Strip<'s, P, DepthFloat>, StripError> {
         self.with(depths)
     }
 

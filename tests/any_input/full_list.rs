@@ -3,8 +3,8 @@
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use topleft::{
-    Cull, Depth16, DrawError, DrawList, Flat, Gouraud, ListTriangle, Material, Mesh, Perspective, Pose,
-    Stats, Turn,
+    Affine, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle, Material, Mesh,
+    Perspective, Pose, Stats, Texture, Textured, Turn,
 };
 
 /// A fan of `faces` round the origin, seen from so near that the near plane cuts it, or from afar.
@@ -112,4 +112,41 @@ fn a_mesh_without_faces_takes_nothing() {
         assert_eq!(list.draw(&camera, &nothing, &Pose::new(), &flat), Ok(()));
         assert_eq!(list.words(), 28);
     }
+}
+
+/// Turned red by: a shader that is kept for a mesh that did not fit.
+#[test]
+fn a_mesh_that_does_not_fit_leaves_no_shader() {
+    let (positions, indices) = fan_mesh(100);
+    let (large, small) =
+        (Mesh::new(&positions, &indices).unwrap(), Mesh::new(&positions[..4], &indices[..2]).unwrap());
+    let camera = Perspective::new(Size::new(64, 64), Turn::from_degrees(70), 0.1..20.0)
+        .look_at([0.0, 2.5, 4.0], [0.0; 3]);
+    let texels = [[0; 4]; 17].map(|texels: [u16; 4]| texels);
+    let mut storage = ([0; 60], [ListTriangle::EMPTY; 20]);
+    let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+    for texels in &texels {
+        let texture = Texture::new(2, 2, texels).unwrap();
+        let result = list.draw(&camera, &large, &Pose::new(), &Textured::new(&texture, Affine));
+        assert!(matches!(result, Err(DrawError::Full { triangles: 100, .. })), "{result:?}");
+    }
+    assert_eq!(list.draw(&camera, &small, &Pose::new(), &Flat::new(Rgb565::RED)), Ok(()));
+}
+
+/// Turned red by: a mesh that shares the names of another's vertices, which its cut faces then do not find.
+#[test]
+fn a_small_mesh_is_cut_after_one_that_names_almost_all() {
+    let mut positions = vec![[0, 0, 0]; 65_500];
+    (positions[1], positions[2]) = ([1000, 0, 0], [0, 1000, 0]);
+    let large = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    let corners = [[-20_000, -20_000, 32_000], [20_000, -20_000, -32_000], [0, 20_000, -32_000]];
+    let small = Mesh::new(&corners, &[[0, 1, 2]; 10]).unwrap();
+    let camera = Perspective::new(Size::new(64, 64), Turn::from_degrees(50), 1.0..20.0);
+    let mut storage = (vec![0; 200_000], [ListTriangle::EMPTY; 100]);
+    let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+    list.set_cull(Cull::None);
+    let at = |z: &str| Pose::new().at([Length::ZERO, Length::ZERO, Length::lit(z)]);
+    list.draw(&camera, &large, &at("-5"), &Flat::new(Rgb565::RED)).unwrap();
+    assert_eq!(list.draw(&camera, &small, &at("-1.5"), &Flat::new(Rgb565::RED)), Ok(()));
+    assert_eq!(list.stats().clipped, 10);
 }

@@ -256,7 +256,7 @@ fn what_is_not_seen_asks_for_nothing() {
     assert_eq!(ask(&camera, &cube, &row), Hiding::Depth16);
     let nowhere = camera.look_at([0.0; 3], [0.0; 3]);
     assert!(!nowhere.is_valid());
-    ask(&nowhere, &scenes::mesh::TEAPOT, &[-5, -5]);
+    assert_eq!(ask(&nowhere, &scenes::mesh::TEAPOT, &[-5, -5]), Hiding::Culling);
     let huge = Perspective::new(Size::new(9000, 9000), Turn::from_degrees(50), 1.0..200.0);
     assert_eq!(ask(&huge, &scenes::mesh::TEAPOT, &[-5, -5]), Hiding::Culling);
 }

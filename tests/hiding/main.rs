@@ -8,4 +8,5 @@ mod solids;
 
 mod cheapest;
 mod convex;
+mod slivers;
 mod sorted;

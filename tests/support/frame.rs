@@ -65,7 +65,7 @@ impl Strips for Depth16 {
 
 impl Strips for DepthFloat {
     fn strip<'s, P: Pixel>(width: u16, colours: &'s mut [P], depths: &'s mut [u16]) -> Strip<'s, P, Self> {
-        Strip::new(width, colours).expect("whole rows").with_float_depth(depths).expect("as many depths")
+        Strip::new(width, colours).expect("whole rows").with_depth_float(depths).expect("as many depths")
     }
 }
 

@@ -88,7 +88,7 @@ impl Buffered for Depth16 {
 
 impl Buffered for DepthFloat {
     fn strip<'s>(colours: &'s mut [u16], depths: &'s mut [u16]) -> Strip<'s, u16, Self> {
-        NoDepth::strip(colours, &mut []).with_float_depth(depths).expect(FITS)
+        NoDepth::strip(colours, &mut []).with_depth_float(depths).expect(FITS)
     }
 }
 

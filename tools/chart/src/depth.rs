@@ -177,7 +177,7 @@ impl Kept for Depth16 {
 
 impl Kept for DepthFloat {
     fn strip<'s>(strip: Strip<'s, Seen, NoDepth>, depths: &'s mut [u16]) -> Strip<'s, Seen, Self> {
-        strip.with_float_depth(depths).expect("as many")
+        strip.with_depth_float(depths).expect("as many")
     }
 }
 

@@ -81,13 +81,13 @@ pub(crate) fn without_depth(screen: &mut Screen) -> Result<(), Infallible> {
 }
 
 /// Rgb565 with depth as small floats, every kind of shader.
-pub(crate) fn with_float_depth(screen: &mut Screen) -> Result<(), Infallible> {
+pub(crate) fn with_depth_float(screen: &mut Screen) -> Result<(), Infallible> {
     let mut storage: ListStorage<2400, 200> = ListStorage::new();
     let (mut colours, mut depths) = ([Rgb565::BLACK; WIDTH * ROWS], [0; WIDTH * ROWS]);
     let mut list: DrawList<'_, Rgb565, DepthFloat> = storage.list();
     black_box(every_shader(&mut list)).ok();
     if let Ok(strip) = Strip::new(SIZE.width as u16, &mut colours)
-        && let Ok(mut strip) = strip.with_float_depth(&mut depths)
+        && let Ok(mut strip) = strip.with_depth_float(&mut depths)
     {
         list.present(&mut strip, screen)?;
     }

@@ -32,7 +32,7 @@ extern "C" fn _start() -> ! {
 
 fn draw(screen: &mut Screen) -> Result<(), Infallible> {
     frame::with_depth(screen)?;
-    frame::with_float_depth(screen)?;
+    frame::with_depth_float(screen)?;
     frame::without_depth(screen)?;
     frame::in_painters_order(screen)?;
     frame::cheapest();
