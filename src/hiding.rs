@@ -19,17 +19,20 @@ const MOST_APART: usize = 32;
 /// use embedded_graphics_core::geometry::Size;
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 /// use topleft::{DrawError, Hiding, Length, ListStorage, Perspective, Pose, Strip, Turn};
-/// # use topleft::{Depth, DrawList, Flat, Material};
+/// use topleft::{Depth, DrawList, Flat, Material, Mesh};
 /// # use scenes::mesh::CUBE;
 ///
 /// let camera = Perspective::new(Size::new(64, 64), Turn::from_degrees(50), 1.0..20.0);
 /// let [near, far] = ["-4", "-9"].map(|z| Pose::new().at([Length::ZERO, Length::ZERO, Length::lit(z)]));
 /// let things = [(&CUBE, &near), (&CUBE, &far)];
-/// # fn draw<D: Depth>(
-/// #     list: &mut DrawList<'_, Rgb565, D>, camera: &Perspective, things: &[(&topleft::Mesh<'_>, &Pose)],
-/// # ) -> Result<(), DrawError> {
-/// #     things.iter().try_for_each(|(mesh, pose)| list.draw(camera, mesh, pose, &Flat::new(Material::OfMesh)))
-/// # }
+/// // The same for lists of all kinds.
+/// fn draw<D: Depth>(
+///     list: &mut DrawList<'_, Rgb565, D>,
+///     camera: &Perspective,
+///     things: &[(&Mesh<'_>, &Pose)],
+/// ) -> Result<(), DrawError> {
+///     things.iter().try_for_each(|(mesh, pose)| list.draw(camera, mesh, pose, &Flat::new(Material::OfMesh)))
+/// }
 ///
 /// let mut storage: ListStorage<1000, 24> = ListStorage::new();
 /// let (mut colours, mut depths) = ([Rgb565::BLACK; 64 * 64], [0; 64 * 64]);
@@ -64,7 +67,8 @@ const MOST_APART: usize = 32;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hiding {
-    /// Nothing but culling: [`NoDepth`](crate::NoDepth). For at most one mesh in view, which is convex.
+    /// Nothing but culling: [`NoDepth`](crate::NoDepth). For at most one mesh in view, which is convex. With
+    /// [`Cull::None`](crate::Cull::None) it is not enough.
     Culling,
     /// A list that is sorted: [`Painter`](crate::Painter). For convex meshes of which each is nearer than the next as a
     /// whole.
@@ -83,7 +87,7 @@ impl Hiding {
     ///
     /// `gap` is what a depth buffer has to tell apart: how far one surface lies behind another, as a share of their
     /// distance from the eye. Where it is 0 or negative, the buffer is the one that is finer at the farthest thing in view.
-    /// It says nothing where no buffer is needed.
+    /// 0.01 is one percent. It is not looked at where no buffer is needed.
     ///
     /// What is known to be safe, and why:
     ///
@@ -94,9 +98,10 @@ impl Hiding {
     ///   triangle's key lies in the range of its mesh, so a nearer mesh is drawn later as a whole; in what order its
     ///   own triangles are drawn does not matter, as none hides another. Of more than 32 meshes in view this is not asked.
     /// * [`Depth16`](Self::Depth16), where one step of its codes at the farthest depth in view is no more than the gap,
-    ///   `w (1 / near - 1 / far) / 65528` of the distance w; and where it is no coarser there than the small float, which
+    ///   `w (1 / near - 1 / far) / 65528` of the distance w; or where it is no coarser there than the small float, which
     ///   is so in the nearest 15/16 of all codes. Without perspective it always is.
     /// * [`DepthFloat`](Self::DepthFloat) otherwise: it tells apart what is 2^-12 of its distance apart, wherever it is.
+    ///   Where the gap is less than that, no buffer of 16 bits does, and this one comes nearer to it.
     ///
     /// What is in view is decided by bounds; what the view does not reach is not counted. A mesh that the near plane cuts
     /// reaches up to the eye. Where nothing can be drawn, as the camera is not valid or its target too large, culling is

@@ -178,7 +178,9 @@ pub mod stages {
     pub use crate::raster::{DrawSpan, Span, Traversal, Window};
     pub use crate::run::{Place, Run};
     pub use crate::setup::Setup;
-    pub use crate::shade::{Correction, DrawTexels, DrawTriangle, PixelShader, Sampler, Shader, Uniforms};
+    pub use crate::shade::{
+        Correction, DrawTexels, DrawTriangle, FlatPixel, GouraudPixel, PixelShader, Sampler, Shader, Uniforms,
+    };
     pub use crate::snapped::Snapped;
     pub use crate::transform::PerVertexInverse;
     pub use crate::varying::Varying;

@@ -61,6 +61,8 @@ impl<P, T> DrawList<'_, P, Painter, T> {
     /// assert!(frame.colours().contains(&Rgb565::GREEN) && !frame.colours().contains(&Rgb565::RED));
     /// ```
     ///
+    /// Only lists of [`Painter`] have it, as only theirs keep what they are sorted by.
+    ///
     /// # Errors
     /// The scratch is shorter than the list, or the list longer than 65 536 triangles; it stays as it was.
     pub fn sort(&mut self, scratch: &mut [[u16; 3]]) -> Result<(), SortError> {

@@ -12,7 +12,8 @@
 
 use fixed::types::{I1F31, I16F16, I24F8, U16F16};
 
-/// A length in the scene's own unit: ±32 768 in steps of 2^-16.
+/// A length in the scene's own unit: ±32 768 in steps of 2^-16. `Length::lit("0.01")` is a literal,
+/// `Length::from_num(x)` a number that is known later.
 pub type Length = I16F16;
 
 /// A screen coordinate in pixels: ±8 388 608 in steps of 1/256.
@@ -24,7 +25,7 @@ pub type Coord = I24F8;
 /// [`DepthFloat`](crate::DepthFloat) makes its codes of all 32 bits.
 pub type DepthCode = U16F16;
 
-/// An attribute that is interpolated over a triangle: texels, or steps of a colour channel.
+/// An attribute that is interpolated over a triangle: texels, or steps of a colour channel. Made as a [`Length`] is.
 pub type Attribute = I16F16;
 
 /// 1/w as a fraction of a power of two at least as large as the triangle's largest.

@@ -21,9 +21,8 @@ mod perspective;
 mod sampler;
 mod textured;
 
-pub use flat::Flat;
-pub(crate) use flat::FlatPixel;
-pub(crate) use gouraud::GouraudPixel;
+pub use flat::{Flat, FlatPixel};
+pub use gouraud::GouraudPixel;
 pub use gouraud::{ColourError, Gouraud, GouraudWithin};
 pub use light::{Lighting, Material, Sun, Unlit};
 pub use perspective::{
@@ -58,6 +57,91 @@ pub trait Shader<'a, P> {
 }
 
 /// The pixel half of a shader, kept by a list.
+///
+/// ```
+/// use topleft::stages::{DrawTriangle, FlatPixel, PerVertexInverse, PixelShader, Run, Shader, Uniforms, Varying};
+/// use topleft::{Attribute, Depth, Mesh, Pixel, Pose};
+///
+/// /// Grey by height, and one grey where a triangle is level.
+/// #[derive(Clone, Copy)]
+/// struct Heights;
+///
+/// fn grey<P: Pixel>(height: Attribute) -> P {
+///     P::from_rgb([height.to_num::<i32>().clamp(0, 255) as u8; 3])
+/// }
+///
+/// impl<'a, P: Pixel> Shader<'a, P> for Heights {
+///     type Pixel = Self;
+///     type Local = ();
+///
+///     fn pixel(&self) -> Self {
+///         *self
+///     }
+///
+///     fn local(&self, _: &Mesh<'_>, _: &Pose) {}
+///
+///     fn vertex(&self, (): &(), mesh: &Mesh<'_>, vertex: usize) -> Attribute {
+///         let [_, y, _] = mesh.positions()[vertex];
+///         Attribute::from_bits((i32::from(y) + 32_768) << 8)
+///     }
+///
+///     fn face(&self, (): &(), _: &Mesh<'_>, _: usize) -> [u8; 3] {
+///         [0; 3]
+///     }
+/// }
+///
+/// impl<'a, P: Pixel> PixelShader<'a, P> for Heights {
+///     type Vertex = Attribute;
+///     type Varying = Attribute;
+///     type Triangle = ();
+///     const PERSPECTIVE: bool = false;
+///
+///     // Of two shaders with the same uniforms a list keeps one.
+///     fn uniforms(&self) -> Uniforms<'a> {
+///         Uniforms::NONE
+///     }
+///
+///     fn from_uniforms(_: &Uniforms<'a>) -> Self {
+///         Self
+///     }
+///
+///     fn triangle(
+///         &self,
+///         _: [u8; 3],
+///         heights: [Attribute; 3],
+///         _: [PerVertexInverse; 3],
+///     ) -> ((), [Attribute; 3]) {
+///         ((), heights)
+///     }
+///
+///     fn choose<D: DrawTriangle<'a, P>>(
+///         &self,
+///         _: [u8; 3],
+///         heights: [Attribute; 3],
+///         _: [PerVertexInverse; 3],
+///         onto: D,
+///     ) -> D::Output {
+///         let [a, b, c] = heights;
+///         if a == b && b == c { onto.draw(FlatPixel, grey(a), [(); 3]) } else { onto.draw(*self, (), heights) }
+///     }
+///
+///     fn shade<D: Depth>(&self, (): &(), mut height: Attribute, step: &Attribute, run: Run<'_, P, D>) {
+///         for place in run.pixels() {
+///             place.shade(|| grey(height));
+///             height = height.plus(*step);
+///         }
+///     }
+/// }
+/// # use embedded_graphics_core::{geometry::Size, pixelcolor::Rgb888};
+/// # use topleft::{ListStorage, Orthographic, Strip};
+/// # let (mut storage, mut colours) = (ListStorage::<100, 12>::new(), [Rgb888::new(9, 0, 0); 256]);
+/// # let mut list = storage.list();
+/// # let camera = Orthographic::new(Size::new(16, 16), 4.0, -9.0..9.0).look_at([0.0, 1.0, 1.0], [0.0; 3]);
+/// # list.draw(&camera, &scenes::mesh::CUBE, &Pose::new(), &Heights).unwrap();
+/// # list.render(0..16, &mut Strip::new(16, &mut colours).unwrap());
+/// # let top = Pixel::channels(colours[16 * 6 + 8]);
+/// # assert!(top == [255; 3], "{top:?}");
+/// ```
 pub trait PixelShader<'a, P>: Copy {
     /// What a vertex of the list carries.
     type Vertex: Attributes;
@@ -85,6 +169,9 @@ pub trait PixelShader<'a, P>: Copy {
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
     /// Has a triangle drawn: by this shader, or by a cheaper one that shows the same of it, or what the caller allowed.
+    ///
+    /// `onto` takes any pixel shader, such as [`FlatPixel`] with a colour. `inverses` mean something only where this
+    /// shader's [`PERSPECTIVE`](Self::PERSPECTIVE) is true.
     #[inline(always)]
     fn choose<D: DrawTriangle<'a, P>>(
         &self,
@@ -97,7 +184,8 @@ pub trait PixelShader<'a, P>: Copy {
         onto.draw(*self, triangle, varyings)
     }
 
-    /// Colours a run: `start` at its first pixel, `step` more at each after it.
+    /// Colours a run: `start` at its first pixel, `step` more at each after it. [`Varying::plus`] takes the step, and wraps:
+    /// past the last pixel the sum may not fit.
     fn shade<D: Depth>(
         &self,
         triangle: &Self::Triangle,

@@ -102,7 +102,7 @@ impl<'s, P: Pixel> Strip<'s, P, NoDepth> {
         Ok(Strip { colours, depths, width, height, background })
     }
 
-    /// The same strip for lists that are sorted.
+    /// The same strip for lists that are [sorted](crate::DrawList::sort).
     pub fn for_painter(self) -> Strip<'s, P, Painter> {
         let Self { colours, width, height, background, .. } = self;
         Strip { colours, depths: (), width, height, background }

@@ -44,7 +44,7 @@ impl ColourError {
     }
 }
 
-/// Four codes: half a step of a channel of five bits.
+/// Four codes: half a step of a channel of five bits, which is what such a display rounds by; eight are a step of it.
 impl Default for ColourError {
     fn default() -> Self {
         Self { spread: 8 }

@@ -1,4 +1,5 @@
-//! All shaders, both cameras, with and without depth, a mesh from a blob, and triangles without a list.
+//! Flat, Gouraud, affine and per-pixel textures, plain and under light, both cameras, with and without depth, a mesh from a
+//! blob, and triangles without a list.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use core::convert::Infallible;
