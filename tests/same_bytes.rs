@@ -6,12 +6,12 @@ mod support;
 
 use std::cell::Cell;
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use proptest::prelude::*;
 use scenes::texture::TEST_CARD;
-use scenes::{Method, Object, SCENES, Scene, Shade, View};
+use scenes::{Method, SCENES, Scene, Shade, View};
 use topleft::stages::{Shader, Traversal};
 use topleft::{
     Affine, Attribute, BoxWalk, BySize, Camera, ColourError, Coord, Cull, Depth, Depth16, DepthFloat,
@@ -300,33 +300,6 @@ fn any_strips_give_the_same_bytes_of_a_whole_display() {
     let (float, also) = any_strips::<DepthFloat>("teapot, small floats", &drawing).unwrap();
     println!("{} frames of {} pixels", frames + also, frame.seen());
     assert_eq!(frame.seen(), float.seen());
-}
-
-// Red when a triangle whose colours differ by a code is drawn in one of them.
-#[test]
-fn an_error_of_zero_or_less_gives_the_bytes_of_gouraud() {
-    let size = Size::new(120, 90);
-    let sun = Sun::new([Length::lit("0.3"), Length::lit("0.8"), Length::lit("0.4")]);
-    for scene in SCENES {
-        let frame = |error: Option<&str>| {
-            let (mut words, mut triangles) = (vec![0; 40_000], vec![ListTriangle::EMPTY; 8_000]);
-            let mut list = DrawList::<Rgb888, Depth16>::new(&mut words, &mut triangles);
-            let gouraud = |object: &Object| Gouraud::new(&sun, &object.look.material);
-            match error {
-                None => scene.draw_with(&mut list, size, &View::default(), gouraud),
-                Some(codes) => {
-                    let error = ColourError::codes(codes.parse().expect("a number"));
-                    scene.draw_with(&mut list, size, &View::default(), |object| gouraud(object).within(error))
-                }
-            }
-            .expect("the list is long enough");
-            rendered(&list, 120, 0..90, 90, Rgb888::BLACK)
-        };
-        let expected = frame(None);
-        for codes in ["0", "-2", "-32768"] {
-            frame(Some(codes)).same(&format!("{}, {codes}", scene.name), &expected).unwrap();
-        }
-    }
 }
 
 // Red when rendering changes a list, or `DrawList::clear` leaves something behind: its shaders, words or triangles.

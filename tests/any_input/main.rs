@@ -10,6 +10,7 @@ mod counting;
 mod edges;
 mod flat;
 
+mod colour_errors;
 mod triangles;
 mod meshes;
 mod full_list;
