@@ -91,8 +91,8 @@ pub enum DrawError {
         /// vertices was cut so often that its triangles cannot name the new ones.
         words: usize,
     },
-    /// The list already holds its 16 different shaders, or vertices for as many times 65 536; nothing of the mesh is
-    /// drawn.
+    /// The list already holds its 16 different shaders, or for one of them as many times 65 536 vertices, of which a mesh
+    /// may need nine a face where it is cut; nothing of the mesh is drawn.
     TooManyShaders,
     /// The camera's target is too large; nothing of the mesh is drawn.
     TooLarge(Size),
