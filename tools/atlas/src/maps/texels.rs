@@ -6,7 +6,7 @@ use reference::varying::{linear, perspective};
 use topleft::stages::{
     Correction, PerVertexInverse, Setup, Snapped, Span, Traversal, Varying, Window, Words,
 };
-use topleft::{Affine, Attribute, PerPixel, Spans};
+use topleft::{Affine, Attribute, PerPixel, Spans, Subspans};
 
 use crate::axis::{Axis, Bar, Scale, ticks};
 use crate::canvas::Canvas;
@@ -82,38 +82,24 @@ fn of_library<C: Correction + Default>(case: &Case) -> f64 {
     worst
 }
 
-/// Exact at every `N`th pixel and at the last one, linear between: a model in `f64`.
-fn subspans<const N: i32>(case: &Case) -> f64 {
-    let Span { start, end, .. } = case.span();
-    let mut worst = 0.0_f64;
-    for left in (start..end).step_by(N as usize) {
-        let right = (left + N).min(end - 1);
-        let [from, to] = [left, right].map(|x| case.exact(x));
-        for x in left..right {
-            let shown = from + (to - from) * f64::from(x - left) / f64::from(right - left);
-            worst = worst.max((shown - case.exact(x)).abs());
-        }
-    }
-    worst
-}
-
 /// The largest error of linear texels between two places, with what texels and 1/w change by there.
 fn between(texels: f64, ratio: f64) -> f64 {
     texels.abs() * (ratio.sqrt() - 1.0) / (ratio.sqrt() + 1.0)
 }
 
-/// The same between every `N`th pixel, where it is largest.
-fn subspans_bound<const N: i32>(length: f64, ratio: f64) -> f64 {
-    let case = Case::new(length, ratio);
+/// The same between the ends of the subspan where it is largest, and what those are off by.
+fn subspans_bound(length: f64, ratio: f64) -> f64 {
+    let (case, pixels) = (Case::new(length, ratio), Subspans::default().pixels() as i32);
     let Span { start, end, .. } = case.span();
     let q = |x: i32| linear(case.triangle, case.q, x.into(), 0);
-    (start..end)
-        .step_by(N as usize)
+    let bent = (start..end)
+        .step_by(pixels as usize)
         .map(|left| {
-            let right = (left + N).min(end - 1);
+            let right = (left + pixels).min(end - 1);
             between(case.exact(right) - case.exact(left), q(left) / q(right))
         })
-        .fold(0.0, f64::max)
+        .fold(0.0, f64::max);
+    bent + per_pixel_bound(length)
 }
 
 /// `PerPixel` documents it: a share of the power of two that holds the texels.
@@ -144,7 +130,7 @@ pub(crate) fn map() -> Canvas {
     };
     let panels = vec![
         panel("Affine", of_library::<Affine>, "bound = 1/4 texel", between),
-        panel("subspans of 16 px (f64 model)", subspans::<16>, "bound = 1/4 texel", subspans_bound::<16>),
+        panel("Subspans of 16 px", of_library::<Subspans>, "bound = 1/4 texel", subspans_bound),
         panel("PerPixel", of_library::<PerPixel>, "bound = 1/4 texel: nowhere", |length, _| {
             per_pixel_bound(length)
         }),
@@ -158,7 +144,7 @@ pub(crate) fn map() -> Canvas {
         "Largest texel error along one span, with one texel a pixel on the whole.".into(),
         "Bounds: U (sqrt r - 1) / (sqrt r + 1) for what is linear over U texels at a ratio r of w, for each"
             .into(),
-        "subspan by its own; and U 2^-13 with a reciprocal a pixel.".into(),
+        "subspan by its own, and U 2^-13 more; and U 2^-13 with a reciprocal a pixel.".into(),
     ];
     Map {
         title: "Where texture mapping breaks: error by the length of a span and its ratio of w",
