@@ -24,12 +24,9 @@ pub(crate) struct Vertices<Z, A> {
     pub(crate) colour: [u8; 3],
 }
 
-/// Where spans end: a strip or a display.
+/// Where spans end: the cells of a strip, or a display.
 pub(crate) trait Surface<P, D: Depth> {
     type Error;
-
-    /// The pixels that may be drawn.
-    fn window(&self) -> &Window;
 
     /// Draws a span.
     fn span<'a, S: PixelShader<'a, P>>(
@@ -68,7 +65,8 @@ pub(crate) fn draw<'a, P, S, T, D, Target>(
     setup: &Setup,
     shader: S,
     vertices: Vertices<D::Varying, S::Vertex>,
-    target: &mut Target,
+    window: &Window,
+    target: Target,
 ) -> Result<(), Target::Error>
 where
     P: Copy,
@@ -78,7 +76,7 @@ where
     Target: Surface<P, D>,
 {
     let Vertices { depths, inverses, attributes, colour } = vertices;
-    let onto = Onto::<T, D, Target> { setup, depths, target, traversal: PhantomData };
+    let onto = Onto::<T, D, Target> { setup, depths, window, target, traversal: PhantomData };
     shader.choose(colour, attributes, inverses, onto)
 }
 
@@ -86,7 +84,8 @@ where
 struct Onto<'t, T, D: Depth, Target> {
     setup: &'t Setup,
     depths: [D::Varying; 3],
-    target: &'t mut Target,
+    window: &'t Window,
+    target: Target,
     traversal: PhantomData<T>,
 }
 
@@ -102,26 +101,25 @@ impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>> DrawTriangle<'a
         triangle: S::Triangle,
         varyings: [S::Varying; 3],
     ) -> Self::Output {
-        let Self { setup, depths, target, traversal: _ } = self;
+        let Self { setup, depths, window, target, traversal: _ } = self;
         let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
         let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
         let [x, y] = setup.anchor();
         let depth = <D::Varying as Varying>::plane(&gradients, depths).moved_from(x, y);
         let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
-        let window = target.window().clone();
         let shading = Shading { shader, triangle, varying };
-        T::spans(setup, &window, &mut Spanned::<P, S, D, Target> { target, depth, shading })
+        T::spans(setup, window, &mut Spanned::<P, S, D, Target> { target, depth, shading })
     }
 }
 
 /// All that the spans of a triangle need.
-struct Spanned<'t, 'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
-    target: &'t mut Target,
+struct Spanned<'a, P, S: PixelShader<'a, P>, D: Depth, Target> {
+    target: Target,
     depth: Plane<D::Varying>,
     shading: Shading<'a, P, S>,
 }
 
-impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Spanned<'_, 'a, P, S, D, Target>
+impl<'a, P, S, D, Target> DrawSpan<Target::Error> for Spanned<'a, P, S, D, Target>
 where
     P: Copy,
     S: PixelShader<'a, P>,

@@ -59,14 +59,27 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
         P: Copy,
     {
         if D::ALWAYS_VISIBLE {
-            // Written out for a small core; for size, a loop stays a loop.
-            let (fours, rest) = self.colours.as_chunks_mut::<4>();
-            for [a, b, c, d] in fours {
-                (*a, *b, *c, *d) = (colour, colour, colour, colour);
-            }
-            for pixel in rest {
+            // Written out for a small core: spans are short, so what is left after fours counts.
+            let mut rest = self.colours;
+            let rest = loop {
                 core::hint::black_box(());
-                *pixel = colour;
+                match rest {
+                    [a, b, c, d, after @ ..] => {
+                        (*a, *b, *c, *d) = (colour, colour, colour, colour);
+                        rest = after;
+                    }
+                    short => break short,
+                }
+            };
+            let rest = match rest {
+                [a, b, after @ ..] => {
+                    (*a, *b) = (colour, colour);
+                    after
+                }
+                short => short,
+            };
+            if let [one, ..] = rest {
+                *one = colour;
             }
         } else {
             for place in self.pixels() {

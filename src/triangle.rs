@@ -115,7 +115,7 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
     let bounds = target.bounding_box();
     let projection = Projection::of_pixels(Viewport::largest(bounds.size));
     let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
-    let mut display = Display { origin: bounds.top_left, window, target };
+    let mut display = Display { origin: bounds.top_left, target };
     let mut result = Ok(());
     fan(&projection, points, attributes.map(carried), &mixed::<S::Vertex>, &mut |setup, corners| {
         let [Some(a), Some(b), Some(c)] = corners.map(|words| S::Vertex::load(&mut words.iter().copied()))
@@ -124,7 +124,7 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
         };
         let vertices =
             Vertices { depths: [(); 3], inverses: [PerVertexInverse::ONE; 3], attributes: [a, b, c], colour };
-        result = pipeline::draw::<C, S, Spans, NoDepth, _>(setup, *shader, vertices, &mut display);
+        result = pipeline::draw::<C, S, Spans, NoDepth, _>(setup, *shader, vertices, &window, display.lend());
         result.is_ok()
     });
     result

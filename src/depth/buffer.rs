@@ -46,8 +46,15 @@ impl<C: Code> Depth for C {
     }
 
     #[inline(always)]
-    fn span<'p>(plane: &'p mut &mut [u16], span: Range<usize>) -> Option<&'p mut [u16]> {
-        plane.get_mut(span)
+    fn span<'p, P>(
+        colours: &'p mut [P],
+        plane: &'p mut &mut [u16],
+        first: usize,
+        length: usize,
+    ) -> Option<(&'p mut [P], &'p mut [u16])> {
+        // One range of both, so that its ends are compared once.
+        let cells = first..first.wrapping_add(length);
+        Some((colours.get_mut(cells.clone())?, plane.get_mut(cells)?))
     }
 
     #[inline(always)]

@@ -51,8 +51,14 @@ pub trait Depth {
     #[doc(hidden)]
     fn clear(plane: &mut Self::Plane<'_>);
 
+    /// The colours and the cells of a span.
     #[doc(hidden)]
-    fn span<'p>(plane: &'p mut Self::Plane<'_>, span: Range<usize>) -> Option<Self::Plane<'p>>;
+    fn span<'p, P>(
+        colours: &'p mut [P],
+        plane: &'p mut Self::Plane<'_>,
+        first: usize,
+        length: usize,
+    ) -> Option<(&'p mut [P], Self::Plane<'p>)>;
 
     #[doc(hidden)]
     fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;

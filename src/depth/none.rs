@@ -28,8 +28,13 @@ impl Depth for NoDepth {
     fn clear((): &mut ()) {}
 
     #[inline(always)]
-    fn span((): &mut (), _: Range<usize>) -> Option<()> {
-        Some(())
+    fn span<'p, P>(
+        colours: &'p mut [P],
+        (): &'p mut (),
+        first: usize,
+        length: usize,
+    ) -> Option<(&'p mut [P], ())> {
+        Some((colours.get_mut(first..)?.get_mut(..length)?, ()))
     }
 
     #[inline(always)]

@@ -38,8 +38,13 @@ impl Depth for Painter {
     fn clear((): &mut ()) {}
 
     #[inline(always)]
-    fn span((): &mut (), _: Range<usize>) -> Option<()> {
-        Some(())
+    fn span<'p, P>(
+        colours: &'p mut [P],
+        plane: &'p mut (),
+        first: usize,
+        length: usize,
+    ) -> Option<(&'p mut [P], ())> {
+        NoDepth::span(colours, plane, first, length)
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@ use embedded_graphics_core::prelude::PixelColor;
 use super::{DrawList, ListTriangle};
 use crate::attributes::Words;
 use crate::depth::Depth;
-use crate::pipeline::{self, Surface, Vertices};
+use crate::pipeline::{self, Vertices};
 use crate::raster::Traversal;
 use crate::setup::Setup;
 use crate::shade::{PixelShader, Uniforms};
@@ -24,7 +24,7 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
     pub fn render(&self, rows: Range<i32>, strip: &mut Strip<'_, P, D>) {
         let [width, height] = self.size;
         let mut target = strip.rows(rows.start, rows.start.max(0)..rows.end.min(height), 0..width);
-        let rows = target.window().rows.clone();
+        let rows = target.window.rows.clone();
         for triangle in self.triangles.get(..self.used_triangles).unwrap_or_default() {
             let [first, end] = triangle.rows;
             // Most triangles of a frame are in other strips.
@@ -94,7 +94,8 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
         colour: triangle.colour,
     };
     let shader = S::from_uniforms(uniforms);
-    let Ok(()) = pipeline::draw::<P, S, T, D, _>(&setup, shader, vertices, target);
+    let (window, cells) = target.lend();
+    let Ok(()) = pipeline::draw::<P, S, T, D, _>(&setup, shader, vertices, window, cells);
 }
 
 /// A vertex of the list, as its words say.

@@ -8,7 +8,7 @@ use crate::depth::NoDepth;
 use crate::gradients::Plane;
 use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
-use crate::raster::{Span, Window};
+use crate::raster::Span;
 use crate::run::Run;
 use crate::shade::PixelShader;
 
@@ -17,7 +17,13 @@ pub(crate) struct Display<'t, T> {
     pub(crate) target: &'t mut T,
     /// Where column 0 of row 0 is.
     pub(crate) origin: Point,
-    pub(crate) window: Window,
+}
+
+impl<T> Display<'_, T> {
+    /// The same target, for one triangle.
+    pub(crate) fn lend(&mut self) -> Display<'_, T> {
+        Display { origin: self.origin, target: self.target }
+    }
 }
 
 impl<P: Pixel, T: DrawTarget<Color = P>> Surface<P, NoDepth> for Display<'_, T>
@@ -25,10 +31,6 @@ where
     P: embedded_graphics_core::prelude::PixelColor,
 {
     type Error = T::Error;
-
-    fn window(&self) -> &Window {
-        &self.window
-    }
 
     fn span<'a, S: PixelShader<'a, P>>(
         &mut self,

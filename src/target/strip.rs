@@ -134,7 +134,12 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
 
     /// The background everywhere, infinitely far away.
     pub fn clear(&mut self) {
-        Run::new(self.colours).fill(self.background);
+        // A loop that may be unrolled, as this run is long.
+        let (fours, rest) = self.colours.as_chunks_mut::<4>();
+        for [a, b, c, d] in fours {
+            (*a, *b, *c, *d) = (self.background, self.background, self.background, self.background);
+        }
+        Run::new(rest).fill(self.background);
         D::clear(&mut self.depths);
     }
 
@@ -142,10 +147,12 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
     pub(crate) fn rows(&mut self, top: i32, rows: Range<i32>, columns: Range<i32>) -> Rows<'_, P, D> {
         let (width, height) = (i32::from(self.width), i32::from(self.height));
         Rows {
-            colours: self.colours,
-            depths: D::reborrow(&mut self.depths),
-            width,
-            origin: top.wrapping_mul(width).wrapping_neg(),
+            cells: Cells {
+                colours: self.colours,
+                depths: D::reborrow(&mut self.depths),
+                width,
+                origin: top.wrapping_mul(width).wrapping_neg(),
+            },
             window: Window {
                 columns: columns.start.max(0)..columns.end.min(width),
                 rows: rows.start.max(top)..rows.end.min(top.saturating_add(height)),
@@ -156,21 +163,31 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
 
 /// A strip while some of its rows are drawn to.
 pub(crate) struct Rows<'r, P, D: Depth> {
+    /// The pixels that may be drawn.
+    pub(crate) window: Window,
+    cells: Cells<'r, P, D>,
+}
+
+impl<P, D: Depth> Rows<'_, P, D> {
+    /// For one triangle. Its cells go from hand to hand by value: behind a pointer, each row would look up where they are.
+    #[inline(always)]
+    pub(crate) fn lend(&mut self) -> (&Window, Cells<'_, P, D>) {
+        let Self { window, cells: Cells { colours, depths, width, origin } } = self;
+        (window, Cells { colours, depths: D::reborrow(depths), width: *width, origin: *origin })
+    }
+}
+
+/// The cells of a strip.
+pub(crate) struct Cells<'r, P, D: Depth> {
     colours: &'r mut [P],
     depths: D::Plane<'r>,
     width: i32,
     /// The cell of column 0 and row 0 of the frame, which may lie before the strip.
     origin: i32,
-    window: Window,
 }
 
-impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
+impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
     type Error = Infallible;
-
-    #[inline]
-    fn window(&self) -> &Window {
-        &self.window
-    }
 
     #[inline(always)]
     fn span<'a, S: PixelShader<'a, P>>(
@@ -179,12 +196,11 @@ impl<P: Copy, D: Depth> Surface<P, D> for Rows<'_, P, D> {
         depth: &Plane<D::Varying>,
         shading: &Shading<'a, P, S>,
     ) -> Result<(), Infallible> {
-        let Self { colours, depths, width, origin, .. } = self;
+        let Self { colours, depths, width, origin } = self;
         // The window lies inside the strip: cells are at least zero here.
         let row = span.y.wrapping_mul(*width).wrapping_add(*origin);
-        let cells = (row + span.start) as usize..(row + span.end) as usize;
-        let Some(colours) = colours.get_mut(cells.clone()) else { return Ok(()) };
-        let Some(depths) = D::span(depths, cells) else { return Ok(()) };
+        let (first, length) = ((row + span.start) as usize, (span.end - span.start) as usize);
+        let Some((colours, depths)) = D::span(colours, depths, first, length) else { return Ok(()) };
         let run = Run::<P, D> { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx };
         shading.shade(span.start, span.y, run);
         Ok(())
