@@ -92,15 +92,16 @@ pub(crate) fn normalising(q: u32, mut shift: u32) -> u32 {
     shift
 }
 
-/// `2^47 / (height << shift)` in [2^15, 2^16], for a height from 1 to 2^13 - 1, or 0, which counts as less than one.
+/// `2^(18 + shift) / height` in [2^15, 2^16], and that shift, 0 to 10, for a height from 4 to 2^13 - 1.
 #[inline(always)]
 pub(crate) fn short(height: u32) -> (u32, u32) {
     // Most heights are of some pixels: few steps.
-    let mut shift = 19;
-    while height << shift >> 31 == 0 && shift < 31 {
-        shift += 1;
+    let (mut normalised, mut shift) = (height << 19, 10);
+    while normalised >> 31 == 0 && shift > 0 {
+        normalised <<= 1;
+        shift -= 1;
     }
-    (seed(height << shift), shift)
+    (seed(normalised), shift)
 }
 
 /// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
