@@ -152,8 +152,11 @@ pub(crate) fn small_area(area2: u32) -> (u32, i32) {
     let seed = seed(normalised).cast_signed();
     // With e the part that is missing from x r = 2^47, the reciprocal is r (1 + e + e^2), and 2^-40 of it more. Steps of e
     // are 2^-28, and its halves are below 2^14.7 and 2^10.
-    let missing = (1 << 47) - product::with_short(normalised, seed.cast_unsigned()).cast_signed();
-    let (high, low) = ((missing >> 19) as i32, (missing >> 9) as i32 & 0x3FF);
+    let (upper, lower) =
+        ((normalised >> 16) * seed.cast_unsigned(), (normalised & 0xFFFF) * seed.cast_unsigned());
+    // In steps of 2^-38, rounded down, of which 32 bits are enough: 2^47 is 0 there.
+    let missing = 0_u32.wrapping_sub(upper << 7).wrapping_sub((lower + 511) >> 9).cast_signed();
+    let (high, low) = (missing >> 10, missing & 0x3FF);
     let first = (seed * high + ((seed * low) >> 10)) >> 13;
     let second = (seed * ((high * high) >> 16)) >> 25;
     // Both were rounded down: up to two steps are missing, and one is added.
