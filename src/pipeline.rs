@@ -103,10 +103,9 @@ impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>> DrawTriangle<'a
     ) -> Self::Output {
         let Self { setup, depths, window, target, traversal: _ } = self;
         let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
-        let gradients = if nothing { Gradients::NONE } else { setup.gradients() };
-        let [x, y] = setup.anchor();
-        let depth = <D::Varying as Varying>::plane(&gradients, depths).moved_from(x, y);
-        let varying = <S::Varying as Varying>::plane(&gradients, varyings).moved_from(x, y);
+        let gradients = if nothing { Gradients::NONE } else { setup.gradients_from(0, 0) };
+        let depth = <D::Varying as Varying>::plane(&gradients, depths);
+        let varying = <S::Varying as Varying>::plane(&gradients, varyings);
         let shading = Shading { shader, triangle, varying };
         T::spans(setup, window, &mut Spanned::<P, S, D, Target> { target, depth, shading })
     }

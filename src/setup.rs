@@ -133,7 +133,14 @@ impl Setup {
     /// What turns values at the vertices into planes.
     #[inline]
     pub fn gradients(&self) -> Gradients {
-        Gradients::new(self.points, self.area2, self.small)
+        let [column, row] = self.anchor();
+        self.gradients_from(column, row)
+    }
+
+    /// The same, of planes that start at another pixel: less than 2^13 columns and rows from the first vertex.
+    #[inline]
+    pub(crate) fn gradients_from(&self, column: i32, row: i32) -> Gradients {
+        Gradients::new(self.points, self.area2, self.small, column, row)
     }
 }
 

@@ -33,5 +33,5 @@ impl Snapped {
 /// The first row or column whose pixel centres are at or beyond a coordinate.
 #[inline]
 pub(crate) const fn first_centre(coordinate: i32) -> i32 {
-    (coordinate >> SUBPIXEL_BITS) + ((coordinate & (SUBPIXELS - 1)) > HALF_PIXEL) as i32
+    (coordinate + (SUBPIXELS - 1 - HALF_PIXEL)) >> SUBPIXEL_BITS
 }

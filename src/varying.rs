@@ -27,12 +27,6 @@ pub trait Varying: Copy {
 }
 
 impl<V: Varying> Plane<V> {
-    /// The same plane, from column 0 and row 0 of the frame on: its anchor is in column `x` and row `y`.
-    #[inline]
-    pub(crate) fn moved_from(&self, x: i32, y: i32) -> Self {
-        Self { start: self.at(x.wrapping_neg(), y.wrapping_neg()), ..*self }
-    }
-
     /// The value `columns` to the right of the anchor and `rows` below it.
     #[inline]
     pub fn at(&self, columns: i32, rows: i32) -> V {
@@ -55,15 +49,17 @@ impl Varying for () {
     fn times(self, _: i32) -> Self {}
 }
 
-/// Scalars of 32 bits, signed or not, differ only in how their difference is taken.
+/// Scalars of 32 bits, signed or not, differ only in what their least is: planes are of signed ones.
 macro_rules! scalar {
-    ($($format:ty),*) => {$(
+    ($($format:ty: $least:expr),*) => {$(
         impl Varying for $format {
             #[inline]
             fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
-                let Plane { start, dx, dy } =
-                    gradients.plane([a.to_bits().into(), b.to_bits().into(), c.to_bits().into()]);
-                Plane { start: Self::from_bits(start as _), dx: Self::from_bits(dx as _), dy: Self::from_bits(dy as _) }
+                // As far above the least of an `i32` as above its own.
+                let signed = |value: Self| value.to_bits() as i32 ^ $least;
+                let Plane { start, dx, dy } = gradients.plane(signed(a), signed(b), signed(c));
+                let [start, dx, dy] = [start ^ $least, dx, dy].map(|value| Self::from_bits(value as _));
+                Plane { start, dx, dy }
             }
 
             #[inline(always)]
@@ -79,7 +75,7 @@ macro_rules! scalar {
     )*};
 }
 
-scalar!(Attribute, DepthCode, Inverse);
+scalar!(Attribute: 0, DepthCode: i32::MIN, Inverse: 0);
 
 macro_rules! array {
     ($($n:literal: $($p:ident $q:ident $r:ident),*;)*) => {$(

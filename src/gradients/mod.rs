@@ -4,8 +4,7 @@
 //! exact, the product with the reciprocal as well, and one rounding to nearest. An error of the reciprocal scales the
 //! plane about its first vertex, so it is harmless even for slivers.
 
-use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
-use crate::math::recip;
+use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS};
 use crate::snapped::Snapped;
 
 mod small;
@@ -28,54 +27,49 @@ pub struct Plane<V> {
 /// The reciprocal of the area and the edges from the first vertex: what all planes of a triangle share.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients {
-    /// From the first vertex to the second and to the third, in 1/256 px: the other way where the area is negative.
-    first: [i32; 2],
-    second: [i32; 2],
-    /// `1 / |area2| = reciprocal * 2^-(shift + 8)`.
-    reciprocal: u32,
-    shift: u32,
-    /// No two vertices are 32 px or more apart on an axis, and the area is less than 2^8 px^2.
-    small: bool,
+    /// From the first vertex to the second and to the third: the other way where the area is negative.
+    edges: Edges,
+    area: Area,
     anchor: [i32; 2],
-    to_centre: [i32; 2],
+    /// From the first vertex to the anchor's centre, in 1/256 px.
+    to_anchor: [i32; 2],
+}
+
+/// One over the doubled area.
+#[derive(Clone, Copy, Debug)]
+enum Area {
+    /// No two vertices are 32 px or more apart on an axis, and the area is less than 2^8 px^2.
+    Small(small::Area),
+    Any(wide::Area),
 }
 
 impl Gradients {
     /// Of no triangle: for planes of nothing.
     pub(crate) const NONE: Self = Self {
-        first: [0; 2],
-        second: [0; 2],
-        reciprocal: 0,
-        shift: 0,
-        small: false,
+        edges: [[0; 2]; 2],
+        area: Area::Any(wide::Area { reciprocal: 0, shift: 1 }),
         anchor: [0; 2],
-        to_centre: [0; 2],
+        to_anchor: [0; 2],
     };
 
     /// Of a triangle in canonical order, with an area; `small` where no two vertices are 32 px or more apart on an axis.
+    /// Planes start at the pixel in a column and a row, less than 2^13 of either from the first vertex.
     #[inline]
-    pub(crate) fn new([a, b, c]: [Snapped; 3], area2: i64, small: bool) -> Self {
+    pub(crate) fn new([a, b, c]: [Snapped; 3], area2: i64, small: bool, column: i32, row: i32) -> Self {
         let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
-        let (first, second) = if area2 < 0 {
-            ([ax - bx, ay - by], [ax - cx, ay - cy])
+        let edges = if area2 < 0 {
+            [[ax - bx, ay - by], [ax - cx, ay - cy]]
         } else {
-            ([bx - ax, by - ay], [cx - ax, cy - ay])
+            [[bx - ax, by - ay], [cx - ax, cy - ay]]
         };
         let area2 = area2.unsigned_abs();
-        let small = small && area2 >> small::AREA_BITS == 0;
-        let (reciprocal, normalised) =
-            if small { recip::small_area(area2 as u32) } else { recip::area(area2) };
-        // From the vertex to the centre of the pixel that holds it: -127 to 128.
-        let to_centre = |coordinate: i32| HALF_PIXEL - (coordinate & (SUBPIXELS - 1));
-        Self {
-            first,
-            second,
-            reciprocal,
-            shift: (54 - normalised).unsigned_abs(),
-            small,
-            to_centre: [to_centre(ax), to_centre(ay)],
-            anchor: [ax >> SUBPIXEL_BITS, ay >> SUBPIXEL_BITS],
-        }
+        let area = if small && area2 >> small::AREA_BITS == 0 {
+            Area::Small(small::Area::new(area2 as u32))
+        } else {
+            Area::Any(wide::Area::new(area2))
+        };
+        let to_centre = |pixel: i32, coordinate: i32| (pixel << SUBPIXEL_BITS) + HALF_PIXEL - coordinate;
+        Self { edges, area, to_anchor: [to_centre(column, ax), to_centre(row, ay)], anchor: [column, row] }
     }
 
     /// The column and row of the pixel that planes start from: the one that holds the first vertex.
@@ -84,30 +78,61 @@ impl Gradients {
         self.anchor
     }
 
-    /// The plane through three values of up to 32 bits, in canonical order, modulo 2^32.
+    /// The plane through three values, in canonical order, modulo 2^32.
     #[inline(never)]
-    pub(crate) fn plane(&self, [a, b, c]: [i64; 3]) -> Plane<u32> {
-        let (d1, d2) = (b - a, c - a);
-        let (dx, dy) =
-            if self.small { small::gradients(self, d1, d2) } else { wide::gradients(self, d1, d2) };
-        self.through(a as i32, dx, dy)
+    pub(crate) fn plane(&self, a: i32, b: i32, c: i32) -> Plane<i32> {
+        let (dx, dy) = match &self.area {
+            Area::Small(area) => area.gradients(&self.edges, [a, b, c]),
+            Area::Any(area) => area.gradients(&self.edges, [a, b, c]),
+        };
+        self.through(a, dx, dy)
     }
 
     /// The plane of a value at the first vertex and two gradients.
     #[inline(always)]
-    fn through(&self, first: i32, dx: Gradient, dy: Gradient) -> Plane<u32> {
-        let [ox, oy] = self.to_centre;
-        // A gradient is multiplied by up to 128 and divided by 256: as its whole steps of 256, and what is below them.
+    fn through(&self, first: i32, dx: Gradient, dy: Gradient) -> Plane<i32> {
+        let [ox, oy] = self.to_anchor;
+        // A gradient is multiplied by less than 2^21 and divided by 256: as its whole steps of 256, and what is below them.
         let whole = dx.over_256.wrapping_mul(ox).wrapping_add(dy.over_256.wrapping_mul(oy));
         let below = (dx.low & 255) * ox + (dy.low & 255) * oy;
         let start = first.wrapping_add(whole).wrapping_add((below + 128) >> 8);
-        Plane { start: start.cast_unsigned(), dx: dx.low.cast_unsigned(), dy: dy.low.cast_unsigned() }
+        Plane { start, dx: dx.low, dy: dy.low }
     }
 }
+
+/// Two edges from the first vertex, each to the right and down, in 1/256 px.
+type Edges = [[i32; 2]; 2];
 
 /// A gradient of up to 64 bits: its low 32 bits, and those of a 256th of it, rounded down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Gradient {
     low: i32,
     over_256: i32,
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::setup::Setup;
+    use crate::snapped::Snapped;
+
+    // Red when a start leaves out what a gradient has below 256, or its way to the anchor is that inside a pixel.
+    #[test]
+    fn a_plane_is_the_same_from_any_anchor() {
+        let mut state = 1_u64;
+        let mut random = |bits: u32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) & ((1 << bits) - 1)) as i32
+        };
+        for round in 0..20_000 {
+            let (bits, [x, y]) = (3 + round % 13, [random(20), random(18)]);
+            let points = [(); 3].map(|()| Snapped::from_bits(x + random(bits), y + random(bits)));
+            let Some((setup, _)) = Setup::new(points) else { continue };
+            let [a, b, c] = [(); 3].map(|()| random(31) << 1);
+            let (near, [column, row]) = (setup.gradients().plane(a, b, c), setup.anchor());
+            let far = setup.gradients_from(0, 0).plane(a, b, c);
+            let moved = near.dx.wrapping_mul(column).wrapping_add(near.dy.wrapping_mul(row));
+            assert_eq!([far.dx, far.dy], [near.dx, near.dy]);
+            assert_eq!(far.start, near.start.wrapping_sub(moved), "{points:?} {a} {b} {c}");
+        }
+    }
 }

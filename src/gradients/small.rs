@@ -1,51 +1,88 @@
 //! Gradients of triangles of some pixels: less than 32 px high and wide.
 
-use super::{Gradient, Gradients};
+use super::{Edges, Gradient};
+use crate::math::recip;
 
 /// Bits of the doubled area, in steps of 2^-16 px^2.
 pub(super) const AREA_BITS: u32 = 25;
 
-/// Of the plane through 0 and two differences, each of two values of 32 bits.
+/// One over the doubled area of a small triangle.
 ///
-/// Products of 32 bits with 32 are put together from halves, as a Cortex-M0+ multiplies. The numerators are exact, and
-/// so is their product with the reciprocal, but for what is below its last 16 bits: that cannot change how it is rounded.
-#[inline(always)]
-pub(super) fn gradients(of: &Gradients, d1: i64, d2: i64) -> (Gradient, Gradient) {
-    let ([dx1, dy1], [dx2, dy2]) = (of.first, of.second);
-    // 17 bits and a sign; and 16 bits.
-    let high = |d: i64| (d >> 16) as i32;
-    let low = |d: i64| d as i32 & 0xFFFF;
-    let (d1_high, d1_low, d2_high, d2_low) = (high(d1), low(d1), high(d2), low(d2));
-    (
-        quotient(of, d1_high * dy2 - d2_high * dy1, d1_low * dy2 - d2_low * dy1),
-        quotient(of, d2_high * dx1 - d1_high * dx2, d2_low * dx1 - d1_low * dx2),
-    )
+/// Products of 32 bits with 32 are put together from halves, as a Cortex-M0+ multiplies: digits of 16 bits with a sign, so
+/// that sums of two products need no carry.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Area {
+    /// `1 / |area2| = (2^16 high + low) * 2^-(shift + 24)`: high is up to 2^15, and low has 16 bits with a sign.
+    high: i32,
+    low: i32,
+    /// 7 to 31: an area has at most 25 bits.
+    shift: u32,
+    /// `2^(shift - 1)`.
+    half: u32,
 }
 
-/// `2^16 high + low`, over the area.
+impl Area {
+    /// Of less than 2^25 steps.
+    #[inline]
+    pub(super) fn new(area2: u32) -> Self {
+        let (reciprocal, normalised) = recip::small_area(area2);
+        let shift = (38 - normalised).unsigned_abs() & 31;
+        // That of a power of two is 2^31, which `digits` does not take.
+        let low = i32::from(reciprocal as i16);
+        let high = ((reciprocal + 0x8000) >> 16).cast_signed();
+        Self { high, low, shift, half: 1 << shift >> 1 }
+    }
+
+    /// Of the plane through three values.
+    ///
+    /// The numerators are exact, and so is their product with the reciprocal, but for what is below its last 16 bits: that
+    /// cannot change how it is rounded. A numerator is less than 2^32 times the height or the width: 2^45.
+    #[inline(always)]
+    pub(super) fn gradients(
+        &self,
+        &[[dx1, dy1], [dx2, dy2]]: &Edges,
+        [a, b, c]: [i32; 3],
+    ) -> (Gradient, Gradient) {
+        // Of the halves of differences: each has 17 bits with a sign.
+        let numerators = |half: fn(i32) -> i32| {
+            let (d1, d2) = (half(b) - half(a), half(c) - half(a));
+            [d1 * dy2 - d2 * dy1, d2 * dx1 - d1 * dx2]
+        };
+        let ([dx_high, dy_high], [dx_low, dy_low]) =
+            (numerators(|value| value >> 16), numerators(|value| value & 0xFFFF));
+        (self.quotient(dx_high, dx_low), self.quotient(dy_high, dy_low))
+    }
+
+    /// `2^16 high + low`, over the area.
+    #[inline(never)]
+    fn quotient(&self, high: i32, low: i32) -> Gradient {
+        // 2^32 whole_high + 2^16 whole_low + part: 2^13, 2^15 and 2^15 at most.
+        let (above, part) = digits(low);
+        let (whole_high, whole_low) = digits(high + above);
+        // The product with the reciprocal, without its last 16 bits: 2^32 above + 2^16 middle + below. All of it fits, as
+        // digits are halves of what 16 bits hold: 2^31, 2^31 and 2^29.
+        let below = part * self.high + ((part * self.low) >> 16) + whole_low * self.low;
+        let middle = whole_high * self.low + whole_low * self.high + (below >> 16);
+        let above = whole_high * self.high + (middle >> 16);
+        let product = i64::from(above) << 32 | i64::from((middle << 16 | below & 0xFFFF).cast_unsigned());
+        let rounded = product + i64::from(self.half);
+        // Word by word: a chip without 64-bit shifts calls for them. What is masked is below 32 already.
+        let (words_low, words_high, shift) = (rounded as u32, (rounded >> 32) as i32, self.shift & 31);
+        let low = words_low >> shift | words_high.cast_unsigned() << 1 << (31 - shift);
+        let above = words_high >> shift;
+        Gradient { low: low.cast_signed(), over_256: (low >> 8 | above.cast_unsigned() << 24).cast_signed() }
+    }
+}
+
+/// `2^16 high + low`, where low is from -2^15 to 2^15 - 1.
 #[inline(always)]
-fn quotient(of: &Gradients, high: i32, low: i32) -> Gradient {
-    // 2^16 whole + part.
-    let (whole, part) = (high + (low >> 16), low as u32 & 0xFFFF);
-    let (whole_high, whole_low) = (whole >> 16, whole as u32 & 0xFFFF);
-    let (high, low) = (of.reciprocal >> 16, of.reciprocal & 0xFFFF);
-    let middle = i64::from(whole_high * low.cast_signed()) + i64::from(whole_low * high);
-    let below = i64::from(whole_low * low) + i64::from(part * high) + i64::from((part * low) >> 16);
-    // The product with the reciprocal, without its last 16 bits.
-    let product = (i64::from(whole_high * high.cast_signed()) << 32) + (middle << 16) + below;
-    // 7 to 31: an area has at most 25 bits.
-    let shift = of.shift - 16;
-    let rounded = product + i64::from(1_u32 << (shift - 1));
-    // Word by word: a chip without 64-bit shifts calls for them.
-    let (words_low, words_high) = (rounded as u32, (rounded >> 32) as i32);
-    let low = words_low >> shift | words_high.cast_unsigned() << (32 - shift);
-    let above = words_high >> shift;
-    Gradient { low: low.cast_signed(), over_256: (low >> 8 | above.cast_unsigned() << 24).cast_signed() }
+fn digits(value: i32) -> (i32, i32) {
+    ((value + 0x8000) >> 16, i32::from(value as i16))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::super::Area;
     use crate::setup::Setup;
     use crate::snapped::Snapped;
 
@@ -63,27 +100,34 @@ mod tests {
             let points = [(); 3].map(|()| Snapped::from_bits(random(bits) as i32, random(bits) as i32));
             let Some((setup, _)) = Setup::new(points) else { continue };
             let of = setup.gradients();
-            if !of.small {
-                continue;
-            }
+            let Area::Small(area) = of.area else { continue };
             tried += 1;
             let size = random(5) as u32;
-            let [d1, d2] = [(); 2].map(|()| ((random(31) << 1 | random(1)) >> size) * (1 - 2 * random(1)));
-            let area = i128::from(setup.area2().abs());
+            // The ends of the range are as far apart as values can be.
+            let values = [(); 3].map(|()| match random(3) {
+                0 => i32::MIN,
+                1 => i32::MAX,
+                _ => (random(31) << 1 | random(1)) as i32 >> size,
+            });
+            let [a, b, c] = values.map(i64::from);
+            let (d1, d2) = (b - a, c - a);
+            let area2 = i128::from(setup.area2().abs());
             let numerators = [
-                d1 * i64::from(of.second[1]) - d2 * i64::from(of.first[1]),
-                d2 * i64::from(of.first[0]) - d1 * i64::from(of.second[0]),
+                d1 * i64::from(of.edges[1][1]) - d2 * i64::from(of.edges[0][1]),
+                d2 * i64::from(of.edges[0][0]) - d1 * i64::from(of.edges[1][0]),
             ];
-            for (got, numerator) in <[_; 2]>::from(gradients(&of, d1, d2)).into_iter().zip(numerators) {
+            for (got, numerator) in
+                <[_; 2]>::from(area.gradients(&of.edges, values)).into_iter().zip(numerators)
+            {
                 let exact = i128::from(numerator) * 256;
                 // Of the quotient, 40 bits are known: the rest is that of the exact one.
                 let known = i128::from(got.over_256) << 8 | i128::from(got.low & 255);
-                let quotient = known + ((exact / area - known + (1 << 39)) >> 40 << 40);
+                let quotient = known + ((exact / area2 - known + (1 << 39)) >> 40 << 40);
                 // Half a step for the rounding, 2^-30 of the value for the reciprocal.
-                let error = (quotient * area - exact).abs();
+                let error = (quotient * area2 - exact).abs();
                 assert!(
-                    error <= area / 2 + (exact.abs() >> 30) + 1,
-                    "{points:?} {d1} {d2}: {got:?}, {numerator} / {area}"
+                    error <= area2 / 2 + (exact.abs() >> 30) + 1,
+                    "{points:?} {d1} {d2}: {got:?}, {numerator} / {area2}"
                 );
                 assert_eq!(got.low >> 8, got.over_256 << 8 >> 8, "{got:?}");
             }

@@ -1,17 +1,62 @@
 //! Gradients of any triangle.
 
-use super::{Gradient, Gradients};
-use crate::math::product;
+use super::{Edges, Gradient};
+use crate::math::{product, recip};
 
-/// Of the plane through 0 and two differences, each of two values of 32 bits.
-#[inline(never)]
-pub(super) fn gradients(of: &Gradients, d1: i64, d2: i64) -> (Gradient, Gradient) {
-    let ([dx1, dy1], [dx2, dy2]) = (of.first, of.second);
-    let gradient = |d, along, less, less_along| {
-        let gradient = quotient(of, times(d, along) - times(less, less_along));
-        Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
-    };
-    (gradient(d1, dy2, d2, dy1), gradient(d2, dx1, d1, dx2))
+/// One over the doubled area of any triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Area {
+    /// `1 / |area2| = reciprocal * 2^-(shift + 8)`.
+    pub(super) reciprocal: u32,
+    /// Above 0: an area has at most 40 bits, and at least one.
+    pub(super) shift: u32,
+}
+
+impl Area {
+    /// Of any number of steps but none.
+    #[inline]
+    pub(super) fn new(area2: u64) -> Self {
+        let (reciprocal, normalised) = recip::area(area2);
+        Self { reciprocal, shift: (54 - normalised).unsigned_abs() }
+    }
+
+    /// Of the plane through three values.
+    #[inline(never)]
+    pub(super) fn gradients(
+        &self,
+        &[[dx1, dy1], [dx2, dy2]]: &Edges,
+        values: [i32; 3],
+    ) -> (Gradient, Gradient) {
+        let [a, b, c] = values.map(i64::from);
+        let (d1, d2) = (b - a, c - a);
+        let gradient = |d, along, less, less_along| {
+            let gradient = self.quotient(times(d, along) - times(less, less_along));
+            Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
+        };
+        (gradient(d1, dy2, d2, dy1), gradient(d2, dx1, d1, dx2))
+    }
+
+    /// The numerator over the area, to nearest: in pixels, not in their 256 steps.
+    fn quotient(&self, numerator: i64) -> i64 {
+        let &Self { reciprocal, shift } = self;
+        let negative = numerator < 0;
+        let numerator = numerator.unsigned_abs();
+        // The product in 96 bits: two words and one below.
+        let low = product::unsigned(numerator as u32, reciprocal);
+        let mut high = product::unsigned(reciprocal, (numerator >> 32) as u32) + (low >> 32);
+        let mut rest = low as u32;
+        if negative {
+            // Halves are rounded up, whichever sign: minus one step of what is below them, rounded down.
+            let (less, borrow) = rest.overflowing_sub(1);
+            (rest, high) = (less, high.wrapping_sub(borrow.into()));
+        }
+        let quotient = if shift > 32 {
+            high.wrapping_add(1 << (shift - 33)).cast_signed() >> (shift - 32)
+        } else {
+            (high << (32 - shift)).wrapping_add((u64::from(rest) + (1 << (shift - 1))) >> shift).cast_signed()
+        };
+        if negative { -quotient } else { quotient }
+    }
 }
 
 /// A difference of two values of 32 bits, times a difference of two places.
@@ -21,32 +66,9 @@ fn times(difference: i64, along: i32) -> i64 {
     if (difference < 0) != (along < 0) { -size } else { size }
 }
 
-/// The numerator over the area, to nearest: in pixels, not in their 256 steps.
-fn quotient(of: &Gradients, numerator: i64) -> i64 {
-    let &Gradients { reciprocal, shift, .. } = of;
-    let negative = numerator < 0;
-    let numerator = numerator.unsigned_abs();
-    // The product in 96 bits: two words and one below.
-    let low = product::unsigned(numerator as u32, reciprocal);
-    let mut high = product::unsigned(reciprocal, (numerator >> 32) as u32) + (low >> 32);
-    let mut rest = low as u32;
-    if negative {
-        // Halves are rounded up, whichever sign: minus one step of what is below them, rounded down.
-        let (less, borrow) = rest.overflowing_sub(1);
-        (rest, high) = (less, high.wrapping_sub(borrow.into()));
-    }
-    // 0 < shift: an area has at most 40 bits, and at least one.
-    let quotient = if shift > 32 {
-        high.wrapping_add(1 << (shift - 33)).cast_signed() >> (shift - 32)
-    } else {
-        (high << (32 - shift)).wrapping_add((u64::from(rest) + (1 << (shift - 1))) >> shift).cast_signed()
-    };
-    if negative { -quotient } else { quotient }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::super::Area;
     use crate::setup::Setup;
     use crate::snapped::Snapped;
 
@@ -61,14 +83,11 @@ mod tests {
             let bits = 2 + round % 18;
             let points = [(); 3].map(|()| Snapped::from_bits(random(bits) as i32, random(bits) as i32));
             let Some((setup, _)) = Setup::new(points) else { continue };
-            let gradients = setup.gradients();
-            if gradients.small {
-                continue;
-            }
+            let Area::Any(any) = setup.gradients().area else { continue };
             let numerator = random(31) << 21 >> random(5) ^ -random(1);
             let exact = i128::from(numerator) * 256;
             let area = i128::from(setup.area2().abs());
-            let got = i128::from(quotient(&gradients, numerator));
+            let got = i128::from(any.quotient(numerator));
             // Half a step for the rounding, 2^-30 of the value for the reciprocal.
             let error = (got * area - exact).abs();
             assert!(error <= area.abs() / 2 + (exact.abs() >> 30) + 1, "{points:?} {numerator}: {got}");

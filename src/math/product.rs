@@ -25,17 +25,6 @@ pub(crate) fn signed(a: i32, b: i32) -> i64 {
     }
 }
 
-/// `a * b` for a `b` that most often has 16 bits: half the work then.
-#[inline(always)]
-pub(crate) fn with_short(a: u32, b: u32) -> u64 {
-    if NARROW && b >> 16 == 0 {
-        let (low, high) = ((a & 0xFFFF) * b, (a >> 16) * b);
-        u64::from(low) + (u64::from(high) << 16)
-    } else {
-        unsigned(a, b)
-    }
-}
-
 #[inline(never)]
 fn by_halves(a: u32, b: u32) -> u64 {
     let ([a_low, a_high], [b_low, b_high]) = ([a & 0xFFFF, a >> 16], [b & 0xFFFF, b >> 16]);
@@ -62,7 +51,6 @@ mod tests {
         let pairs = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));
         for (a, b) in pairs.chain((0..100_000).map(|_| (random(), random()))) {
             assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
-            assert_eq!(with_short(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
             let (a, b) = (a.cast_signed(), b.cast_signed());
             assert_eq!(signed(a, b), i64::from(a) * i64::from(b), "{a:#x} {b:#x}");
         }

@@ -92,15 +92,16 @@ pub(crate) fn normalising(q: u32, mut shift: u32) -> u32 {
     shift
 }
 
-/// `2^47 / (height << shift)` in [2^15, 2^16], for a height from 1 to 2^13 - 1, or 0, which counts as less than one.
+/// `2^(18 + shift) / height` in [2^15, 2^16], and that shift, 0 to 10, for a height from 4 to 2^13 - 1.
 #[inline(always)]
 pub(crate) fn short(height: u32) -> (u32, u32) {
     // Most heights are of some pixels: few steps.
-    let mut shift = 19;
-    while height << shift >> 31 == 0 && shift < 31 {
-        shift += 1;
+    let (mut normalised, mut shift) = (height << 19, 10);
+    while normalised >> 31 == 0 && shift > 0 {
+        normalised <<= 1;
+        shift -= 1;
     }
-    (seed(height << shift), shift)
+    (seed(normalised), shift)
 }
 
 /// `2^62 / (w << shift)`: exact for powers of two. A zero counts as one.
@@ -151,8 +152,11 @@ pub(crate) fn small_area(area2: u32) -> (u32, i32) {
     let seed = seed(normalised).cast_signed();
     // With e the part that is missing from x r = 2^47, the reciprocal is r (1 + e + e^2), and 2^-40 of it more. Steps of e
     // are 2^-28, and its halves are below 2^14.7 and 2^10.
-    let missing = (1 << 47) - product::with_short(normalised, seed.cast_unsigned()).cast_signed();
-    let (high, low) = ((missing >> 19) as i32, (missing >> 9) as i32 & 0x3FF);
+    let (upper, lower) =
+        ((normalised >> 16) * seed.cast_unsigned(), (normalised & 0xFFFF) * seed.cast_unsigned());
+    // In steps of 2^-38, rounded down, of which 32 bits are enough: 2^47 is 0 there.
+    let missing = 0_u32.wrapping_sub(upper << 7).wrapping_sub((lower + 511) >> 9).cast_signed();
+    let (high, low) = (missing >> 10, missing & 0x3FF);
     let first = (seed * high + ((seed * low) >> 10)) >> 13;
     let second = (seed * ((high * high) >> 16)) >> 25;
     // Both were rounded down: up to two steps are missing, and one is added.

@@ -73,7 +73,8 @@ impl<S: Edge> Trapezoids<S> {
         let long = S::new(a, c, top);
         let upper = if top < turn { S::new(a, b, top) } else { long };
         let lower = if turn < bottom { S::new(b, c, turn) } else { upper };
-        let lower_is_right = setup.area2() > 0;
+        // It is not 0: one word tells.
+        let lower_is_right = setup.area2() >= 0;
         let (left, right) = if lower_is_right { (long, upper) } else { (upper, long) };
         Self { top, turn, bottom, left, right, lower, lower_is_right }
     }

@@ -36,9 +36,9 @@ const GREATEST: i32 = i32::MAX - (1 << 13) + 1;
 impl Varying for OverW {
     #[inline]
     fn plane(gradients: &Gradients, [a, b, c]: [Self; 3]) -> Plane<Self> {
-        let scalar = |values: [i32; 3]| {
-            let Plane { start, dx, dy } = gradients.plane(values.map(i64::from));
-            [start, dx, dy].map(|part| part as i32)
+        let scalar = |[a, b, c]: [i32; 3]| {
+            let Plane { start, dx, dy } = gradients.plane(a, b, c);
+            [start, dx, dy]
         };
         let ([au, av], [bu, bv], [cu, cv]) = (a.texel, b.texel, c.texel);
         let (q, u, v) = (scalar([a.q, b.q, c.q]), scalar([au, bu, cu]), scalar([av, bv, cv]));

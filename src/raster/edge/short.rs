@@ -14,8 +14,8 @@ use crate::snapped::{Snapped, first_centre};
 /// from a centre, for whole k, and with the same c from 0 to 255 in all rows. Moved to the right by
 /// `(128 - c) / (256 h)`, or by -1/(2 h) where c is 0, it keeps at least 1/(2 h) from all centres, and passes left of
 /// the same ones: h < 2^13, so that is more than 64 steps of 2^-20. All that is rounded is less: the slope by at most
-/// 1.1 steps, and that up to 32 times; 0.3 for what is missing of its reciprocal, over the whole edge; 3 for the first
-/// row and for the move.
+/// 1.1 steps, and that up to 32 times; 0.3 for what is missing of its reciprocal, over the whole edge; 3 for the row
+/// and for the move.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::raster) struct ShortEdge {
     /// Where the edge passes, moved, from one column left of the centres of column 0.
@@ -52,28 +52,28 @@ impl ShortEdge {
 impl Edge for ShortEdge {
     const INSIDE: bool = true;
 
-    #[inline]
+    /// Linked once: three of them in one function have too many values for a core of few registers.
+    #[inline(never)]
     fn new(upper: Snapped, lower: Snapped, row: i32) -> Self {
         let ((x, y), (lower_x, lower_y)) = (upper.bits(), lower.bits());
         let (dx, height) = (lower_x - x, lower_y - y);
-        // 2^47 / (height << shift), up to 2^-13.4 of it too great; 19 <= shift <= 29.
-        let (reciprocal, shift) = recip::short(height.unsigned_abs());
+        // 2^(18 + shift) / height, up to 2^-13.4 of it too great.
+        let (reciprocal, shift) = recip::short(height.cast_unsigned());
         let reciprocal = reciprocal.cast_signed();
         // dx 2^20 / height, and what is missing from it: the products wrap, and what is missing has 20 bits.
-        let estimate = ((dx * reciprocal) << 2) >> (29 - shift);
+        let estimate = ((dx * reciprocal) << 2) >> shift;
         let missing = (dx << FRACTION_BITS).wrapping_sub(estimate.wrapping_mul(height));
-        let slope = estimate.wrapping_add(((missing >> 6) * reciprocal) >> (41 - shift));
-        let first = first_centre(y);
-        // From the upper end down to the first row of centres: 0 to 255 steps.
-        let down = (first << SUBPIXEL_BITS) + HALF_PIXEL - y;
+        let slope = estimate.wrapping_add(((missing >> 6) * reciprocal) >> 12 >> shift);
+        // From the upper end down to the row's centres: c is the same in all rows.
+        let down = (row << SUBPIXEL_BITS) + HALF_PIXEL - y;
         let right = x - HALF_PIXEL;
         // 128 - c, and -128 where c is 0.
         let middle = 127 - (right.wrapping_mul(height).wrapping_add(down * dx).wrapping_sub(1) & 255);
         let place = ((right + 256) << (FRACTION_BITS - SUBPIXEL_BITS))
-            + down * (slope >> SUBPIXEL_BITS)
-            + ((down * (slope & 255)) >> SUBPIXEL_BITS)
-            + ((middle * reciprocal) >> (35 - shift));
-        Self { place: place.wrapping_add((row - first).wrapping_mul(slope)), slope }
+            .wrapping_add(down.wrapping_mul(slope >> SUBPIXEL_BITS))
+            .wrapping_add((down * (slope & 255)) >> SUBPIXEL_BITS)
+            .wrapping_add((middle * reciprocal) >> 6 >> shift);
+        Self { place, slope }
     }
 
     #[inline(always)]
