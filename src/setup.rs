@@ -22,14 +22,14 @@ pub enum Cull {
 }
 
 impl Cull {
-    /// Whether a triangle of this doubled area is left out. One without an area always is.
+    /// Whether a triangle that faces this way is left out. One without an area always is.
     #[inline]
-    pub(crate) const fn leaves_out(self, area2: i64) -> bool {
+    pub(crate) const fn leaves_out(self, facing: i32) -> bool {
         match self {
             // Screen y grows down: counter-clockwise as seen is negative.
-            Self::Back => area2 >= 0,
-            Self::Front => area2 <= 0,
-            Self::None => area2 == 0,
+            Self::Back => facing >= 0,
+            Self::Front => facing <= 0,
+            Self::None => facing == 0,
         }
     }
 }
@@ -42,6 +42,20 @@ pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
     let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
     product::signed(bx.wrapping_sub(ax), cy.wrapping_sub(ay))
         - product::signed(cx.wrapping_sub(ax), by.wrapping_sub(ay))
+}
+
+/// A number with the sign of the doubled area. Where vertices are less than 128 px apart, 32 bits hold the products.
+#[inline]
+pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
+    let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
+    let (dx1, dy1) = (bx.wrapping_sub(ax), by.wrapping_sub(ay));
+    let (dx2, dy2) = (cx.wrapping_sub(ax), cy.wrapping_sub(ay));
+    let beyond = |d: i32| d.wrapping_add(1 << 15);
+    if (beyond(dx1) | beyond(dy1) | beyond(dx2) | beyond(dy2)) >> 16 == 0 {
+        dx1 * dy2 - dx2 * dy1
+    } else {
+        area2(a, b, c).signum() as i32
+    }
 }
 
 /// A triangle less than this apart on both axes, in steps of 1/256 px, is small: 32 px. Products of its edges fit 32
@@ -85,8 +99,9 @@ impl Setup {
     /// assert!(Setup::new([at(0, 0), at(3, 3), at(9, 9)]).is_none());
     /// ```
     pub fn new(points: [Snapped; 3]) -> Option<(Self, [usize; 3])> {
-        let order = canonical(points);
-        let sorted = order.map(|i| points.get(i).copied().unwrap_or(Snapped::from_bits(0, 0)));
+        let [a, b, c] = points;
+        let sorted = canonical([(a, 0), (b, 1), (c, 2)]);
+        let (points, order) = (sorted.map(|(point, _)| point), sorted.map(|(_, place)| place));
         let extent = |ends: [i32; 3]| {
             let [a, b, c] = ends.map(i64::from);
             a.max(b).max(c) - a.min(b).min(c)
@@ -97,7 +112,7 @@ impl Setup {
             && width <= 8191 << SUBPIXEL_BITS
             && height <= 4095 << SUBPIXEL_BITS
             && width * height <= 1 << 39;
-        if fits { Self::sorted(sorted).map(|setup| (setup, order)) } else { None }
+        if fits { Self::sorted(points).map(|setup| (setup, order)) } else { None }
     }
 
     /// The vertices, in canonical order.
@@ -137,17 +152,24 @@ impl Setup {
     }
 }
 
-/// The order of three points by y, then x; points that are equal keep theirs.
+/// Three points and what stands there, in the order by y, then x; those that are equal keep theirs.
 #[inline]
-pub(crate) fn canonical([a, b, c]: [Snapped; 3]) -> [usize; 3] {
-    let (a, b, c) = (a.order(), b.order(), c.order());
-    match (b < a, c < a, c < b) {
-        (false, false, false) => [0, 1, 2],
-        (false, false, true) => [0, 2, 1],
-        (true, false, _) => [1, 0, 2],
-        (true, true, false) => [1, 2, 0],
-        (false, true, _) => [2, 0, 1],
-        (true, true, true) => [2, 1, 0],
+pub(crate) fn canonical<T>([a, b, c]: [(Snapped, T); 3]) -> [(Snapped, T); 3] {
+    let before = |(p, _): &(Snapped, T), (q, _): &(Snapped, T)| p.order() < q.order();
+    if before(&b, &a) {
+        if before(&c, &b) {
+            [c, b, a]
+        } else if before(&c, &a) {
+            [b, c, a]
+        } else {
+            [b, a, c]
+        }
+    } else if before(&c, &a) {
+        [c, a, b]
+    } else if before(&c, &b) {
+        [a, c, b]
+    } else {
+        [a, b, c]
     }
 }
 
