@@ -45,7 +45,7 @@ pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
 }
 
 /// A number with the sign of the doubled area. Where vertices are less than 128 px apart, 32 bits hold the products.
-#[inline]
+#[inline(always)]
 pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
     let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
     let (dx1, dy1) = (bx.wrapping_sub(ax), by.wrapping_sub(ay));
@@ -153,7 +153,7 @@ impl Setup {
 }
 
 /// Three points and what stands there, in the order by y, then x; those that are equal keep theirs.
-#[inline]
+#[inline(always)]
 pub(crate) fn canonical<T>([a, b, c]: [(Snapped, T); 3]) -> [(Snapped, T); 3] {
     let before = |(p, _): &(Snapped, T), (q, _): &(Snapped, T)| p.order() < q.order();
     if before(&b, &a) {

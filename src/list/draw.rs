@@ -62,7 +62,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         drawing: &Drawing<'_, D>,
         (words_before, shaders_before): (usize, usize),
     ) -> Result<(), DrawError> {
-        let &Drawing { mesh, layout: Layout { stride, .. }, base, .. } = drawing;
+        let &Drawing { mesh, layout, base, .. } = drawing;
+        let stride = layout.stride();
         let faces = mesh.faces().len();
         let start = self.used_words;
         let first = (start - base).checked_div(stride).unwrap_or_default();
@@ -128,13 +129,14 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     #[inline(never)]
     fn face(&mut self, drawing: &Drawing<'_, D>, face: usize, first: usize, corners: &[u16; 3]) -> Added {
         let [a, b, c] = *corners;
-        let header = |corner: u16| header(self.words, drawing.word(first + usize::from(corner)));
+        let Some(words) = self.words.get(drawing.word(first)..) else { return Added::Done };
+        let header = |corner: u16| header(words, usize::from(corner) * drawing.layout.stride());
         let Some(p) = header(a) else { return Added::Done };
         let Some(q) = header(b) else { return Added::Done };
         let Some(r) = header(c) else { return Added::Done };
-        let ([px, py], [qx, qy], [rx, ry]) = (*p, *q, *r);
+        let ([px, py], [qx, qy], [rx, ry]) = (p, q, r);
         if px == UNSEEN || qx == UNSEEN || rx == UNSEEN {
-            let planes = |[x, planes]: &[u32; 2]| if *x == UNSEEN { *planes as u8 } else { 0 };
+            let planes = |[x, planes]: [u32; 2]| if x == UNSEEN { planes as u8 } else { 0 };
             let (p, q, r) = (planes(p), planes(q), planes(r));
             if p & q & r == 0 {
                 self.stats.clipped += 1;
@@ -182,7 +184,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     ) {
         let mut places = [Polygon::new(), Polygon::new()];
         let polygon = drawing.polygon(corners, planes, &mut places);
-        let stride = drawing.layout.stride;
+        let stride = drawing.layout.stride();
         let start = self.used_words;
         let first = (start - drawing.base).checked_div(stride).unwrap_or_default();
         let words = polygon.len() * stride;
@@ -194,7 +196,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         // Where vertices lie says which of them is least: by row, then column, then by all else that tells them apart.
         drawing.store_from(0, polygon, self.words.get_mut(start..).unwrap_or_default());
         let least = least(polygon, |place, vertex| {
-            let [x, y] = header(self.words, drawing.word(first + place)).copied().unwrap_or_default();
+            let [x, y] = header(self.words, drawing.word(first + place)).unwrap_or_default();
             let at = vertex.position;
             [y.cast_signed(), x.cast_signed(), at.w, at.z, at.x, at.y]
         });
@@ -247,6 +249,6 @@ enum Added {
 
 /// The first two words of a vertex: x and y, or [`UNSEEN`] and the planes that it is outside of.
 #[inline(always)]
-fn header(words: &[u32], at: usize) -> Option<&[u32; 2]> {
-    words.get(at..)?.first_chunk()
+fn header(words: &[u32], at: usize) -> Option<[u32; 2]> {
+    words.get(at..at + 2)?.first_chunk().copied()
 }
