@@ -33,7 +33,7 @@ pub(crate) struct Outcode(pub(crate) u8);
 impl Outcode {
     #[inline]
     pub(crate) fn new(at: &Position, projection: &Projection) -> Self {
-        let mut code = u8::from(at.z < 0) | u8::from(at.w < at.z) << 1;
+        let mut code = 0;
         if projection.surely_inside(at) {
             return Self(code);
         }

@@ -4,7 +4,7 @@
 //! bits take half the time. Chips that have the instruction use it. The result is the same.
 
 /// Chips of Arm without compare-and-swap are those without `umull`: ARMv6-M.
-const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// `a * b`, unsigned.
 #[inline(always)]
@@ -34,6 +34,46 @@ pub(crate) fn with_short(a: u32, b: u32) -> u64 {
     } else {
         unsigned(a, b)
     }
+}
+
+/// `(a * b + rounding) / 2^16` modulo 2^32, for a `b` of at most 2^16 and a rounding of less.
+#[inline(always)]
+pub(crate) fn scaled(a: u32, b: u32, rounding: u32) -> u32 {
+    if NARROW {
+        scaled_by_halves(a, b, rounding)
+    } else {
+        ((u64::from(a) * u64::from(b) + u64::from(rounding)) >> 16) as u32
+    }
+}
+
+/// The low half of `x >> by`, for a `by` below 64.
+#[inline(always)]
+pub(crate) fn down(x: u64, by: u32) -> u32 {
+    if NARROW { down_by_words(x, by) } else { (x >> by) as u32 }
+}
+
+/// `x << by`, for a `by` below 32.
+#[inline(always)]
+pub(crate) fn up(x: u64, by: u32) -> u64 {
+    if NARROW { up_by_words(x, by) } else { x << by }
+}
+
+#[inline(always)]
+const fn scaled_by_halves(a: u32, b: u32, rounding: u32) -> u32 {
+    // Both are less than 2^32.
+    ((a >> 16) * b).wrapping_add(((a & 0xFFFF) * b + rounding) >> 16)
+}
+
+#[inline(always)]
+const fn down_by_words(x: u64, by: u32) -> u32 {
+    let (low, high) = (x as u32, (x >> 32) as u32);
+    if by < 32 { low >> by | high << 1 << (31 - by) } else { high >> (by & 31) }
+}
+
+#[inline(always)]
+fn up_by_words(x: u64, by: u32) -> u64 {
+    let (low, high, by) = (x as u32, (x >> 32) as u32, by & 31);
+    u64::from(high << by | low >> 1 >> (31 - by)) << 32 | u64::from(low << by)
 }
 
 #[inline(never)]
