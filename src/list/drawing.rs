@@ -116,14 +116,14 @@ impl<D: Depth> Drawing<'_, D> {
     fn store(&self, words: &mut [u32], position: &Position, carried: &Carried) {
         let inverse = self.inverse(position);
         let (x, y) = self.transform.projection.project(position, inverse).bits();
-        let mut words = words.iter_mut();
+        let [to_x, to_y, rest @ ..] = words else { return };
+        (*to_x, *to_y) = (x.cast_unsigned(), y.cast_unsigned());
+        let mut words = rest.iter_mut();
         let mut put = |word: u32| {
             if let Some(place) = words.next() {
                 *place = word;
             }
         };
-        put(x.cast_unsigned());
-        put(y.cast_unsigned());
         D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
         if self.layout.inverse {
             PerVertexInverse::new(inverse).store(&mut put);
