@@ -186,4 +186,25 @@ mod tests {
             assert_eq!(setup.points(), expected);
         }
     }
+
+    // Red when 32 bits are taken to be enough for vertices further apart: `1 << 16` in `facing`, or one difference left out.
+    #[test]
+    fn facing_is_the_sign_of_the_doubled_area() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as i32
+        };
+        // Near and at the ends of what 16 bits hold, and all over the largest guard rectangle.
+        let ends = [0, 1, -1, 0x7FFF, -0x8000, 0x8000, -0x8001, 0xFFFF, 0x1_0000, -0x1_0001];
+        for round in 0..1_000_000 {
+            let mut near = || match random() % 4 {
+                0 => random() >> 11,
+                1 => random() >> (11 + round % 20),
+                _ => ends.get(random() as usize % ends.len()).copied().unwrap_or_default(),
+            };
+            let [a, b, c] = [(); 3].map(|()| Snapped::from_bits(near(), near()));
+            assert_eq!(i64::from(facing(a, b, c).signum()), area2(a, b, c).signum(), "{a:?} {b:?} {c:?}");
+        }
+    }
 }

@@ -348,4 +348,30 @@ mod tests {
         }
         assert!(seen > 100_000 && bounded > 5_000, "{seen} {bounded}");
     }
+
+    // Red when a half is rounded away from zero, or the rest of a negative coordinate is dropped the other way.
+    #[test]
+    fn a_projected_coordinate_is_rounded_to_nearest_and_halves_up() {
+        let viewport = Viewport::new(Size::new(240, 240)).unwrap();
+        let projection = Projection::centred(viewport);
+        let [cx, cy] = projection.centre;
+        for bit in 6..30 {
+            for k in 0..5_000 {
+                // Powers of two, of which halves of a step are multiples; and others.
+                let w = if k % 2 == 0 { 1 << bit } else { (1 << bit) + k % (1 << bit) };
+                let [x, y] = [k, -k].map(|k: i32| {
+                    let part = i64::from(k) * i64::from(w) >> (k.unsigned_abs() % 3 + 15);
+                    part.clamp(-i64::from(w), i64::from(w)) as i32
+                });
+                let inverse = Projection::inverse(w);
+                let scaled = |c: i32| {
+                    // In steps of 1/256 px, with 62 - 8 - 7 - shift bits more.
+                    let down = 47 - inverse.shift;
+                    ((i128::from(c) * i128::from(inverse.mantissa) + (1 << (down - 1))) >> down) as i32
+                };
+                let snapped = projection.project(&Position { x, y, z: 0, w }, inverse);
+                assert_eq!(snapped, Snapped::from_bits(cx + scaled(x), cy + scaled(y)), "{x} {y} / {w}");
+            }
+        }
+    }
 }

@@ -103,8 +103,27 @@ mod tests {
         for (a, b) in pairs.chain((0..100_000).map(|_| (random(), random()))) {
             assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
             assert_eq!(with_short(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
+            for short in [b & 0xFFFF, 1 << 16] {
+                for rounding in [0, b >> 16, 0xFFFF] {
+                    let exact = (u64::from(a) * u64::from(short) + u64::from(rounding)) >> 16;
+                    assert_eq!(scaled_by_halves(a, short, rounding), exact as u32, "{a:#x} {short:#x}");
+                }
+            }
             let (a, b) = (a.cast_signed(), b.cast_signed());
             assert_eq!(signed(a, b), i64::from(a) * i64::from(b), "{a:#x} {b:#x}");
+        }
+    }
+
+    // Red when a bit is lost between the words, or at the ends of a shift's range.
+    #[test]
+    fn words_are_shifted_as_one() {
+        for x in [1, u64::MAX, 0x8000_0000, 1 << 32, 0x9E37_79B9_7F4A_7C15] {
+            for by in 0..64 {
+                assert_eq!(down_by_words(x, by), (x >> by) as u32, "{x:#x} >> {by}");
+            }
+            for by in 0..32 {
+                assert_eq!(up_by_words(x, by), x << by, "{x:#x} << {by}");
+            }
         }
     }
 }
