@@ -37,7 +37,7 @@ impl Cull {
 /// The doubled area, in steps of 2^-16 px^2: positive where a, b, c are clockwise as seen.
 ///
 /// Exact for vertices inside the guard rectangle, and for any that are at most 2^30 steps apart.
-#[inline]
+#[inline(never)]
 pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
     let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
     product::signed(bx.wrapping_sub(ax), cy.wrapping_sub(ay))
@@ -54,7 +54,8 @@ pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
     if (beyond(dx1) | beyond(dy1) | beyond(dx2) | beyond(dy2)) >> 16 == 0 {
         dx1 * dy2 - dx2 * dy1
     } else {
-        area2(a, b, c).signum() as i32
+        let area2 = area2(a, b, c);
+        (area2 >> 32) as i32 | i32::from(area2 as u32 != 0)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Into the list: a mesh's vertices to the screen, its faces culled, clipped and put in canonical order.
 
 use core::marker::PhantomData;
+use core::slice::Iter;
 
 use super::drawing::{Drawing, Layout, Shaded, UNSEEN};
 use super::render::{self, stride};
@@ -77,12 +78,16 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         }
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
-        for (face, corners) in mesh.faces().iter().enumerate() {
-            match self.face(drawing, face, first, corners) {
-                Added::Done => {}
-                Added::Full => left_out.triangles += 1,
-                Added::Crossing(planes) => self.clipped(drawing, face, *corners, planes, &mut left_out),
+        let mut faces = Faces { first, corners: mesh.faces().iter(), face: 0, step: 1 };
+        while let Some((corners, planes)) = self.faces(drawing, &mut faces, &mut left_out) {
+            self.stats.clipped += 1;
+            if let Some((first, triangles)) = self.clipped(drawing, corners, planes, &mut left_out) {
+                let fan = FAN.get(..triangles).unwrap_or_default();
+                let mut parts = Faces { first, corners: fan.iter(), face: faces.face, step: 0 };
+                // None of them crosses a plane.
+                self.faces(drawing, &mut parts, &mut left_out);
             }
+            faces.face += 1;
         }
         left_out.result(self.free())
     }
@@ -124,11 +129,30 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         fits
     }
 
-    /// Adds a triangle of three vertices, counted from the `first`, unless it is outside, culled, or touches no pixel
-    /// centre of the viewport. Apart, so that faces and parts of them share it.
+    /// Adds faces, up to one that crosses planes: that is returned, and `faces` stays at it. Apart, so that meshes and fans
+    /// share the loop.
     #[inline(never)]
-    fn face(&mut self, drawing: &Drawing<'_, D>, face: usize, first: usize, corners: &[u16; 3]) -> Added {
-        let [a, b, c] = *corners;
+    fn faces(
+        &mut self,
+        drawing: &Drawing<'_, D>,
+        faces: &mut Faces<'_>,
+        left_out: &mut LeftOut,
+    ) -> Option<([u16; 3], Outcode)> {
+        while let Some(&corners) = faces.corners.next() {
+            match self.face(drawing, faces.face, faces.first, corners) {
+                Added::Done => {}
+                Added::Full => left_out.triangles += 1,
+                Added::Crossing(planes) => return Some((corners, planes)),
+            }
+            faces.face += faces.step;
+        }
+        None
+    }
+
+    /// Adds a triangle of three vertices, counted from the `first`, unless it is outside, culled, or touches no pixel
+    /// centre of the viewport.
+    #[inline(always)]
+    fn face(&mut self, drawing: &Drawing<'_, D>, face: usize, first: usize, [a, b, c]: [u16; 3]) -> Added {
         let Some(words) = self.words.get(drawing.word(first)..) else { return Added::Done };
         let header = |corner: u16| header(words, usize::from(corner) * drawing.layout.stride());
         let Some(p) = header(a) else { return Added::Done };
@@ -139,7 +163,6 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             let planes = |[x, planes]: [u32; 2]| if x == UNSEEN { planes as u8 } else { 0 };
             let (p, q, r) = (planes(p), planes(q), planes(r));
             if p & q & r == 0 {
-                self.stats.clipped += 1;
                 return Added::Crossing(Outcode(p | q | r));
             }
             self.stats.outside += 1;
@@ -172,16 +195,16 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         Added::Done
     }
 
-    /// Clips a face, and adds the polygon that is left of it as a fan from its least vertex. Apart, as few faces are.
+    /// Clips a face, and adds the vertices of the polygon that is left of it, from its least one on: the first of them, and
+    /// how many triangles there are. Apart, as few faces are.
     #[inline(never)]
     fn clipped(
         &mut self,
         drawing: &Drawing<'_, D>,
-        face: usize,
         corners: [u16; 3],
         planes: Outcode,
         left_out: &mut LeftOut,
-    ) {
+    ) -> Option<(usize, usize)> {
         let mut places = [Polygon::new(), Polygon::new()];
         let polygon = drawing.polygon(corners, planes, &mut places);
         let stride = drawing.layout.stride();
@@ -191,7 +214,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         if first + polygon.len() > MAX_NAMED || !self.reserve(words) {
             left_out.triangles += polygon.len().saturating_sub(2);
             left_out.words += words;
-            return;
+            return None;
         }
         // Where vertices lie says which of them is least: by row, then column, then by all else that tells them apart.
         drawing.store_from(0, polygon, self.words.get_mut(start..).unwrap_or_default());
@@ -201,12 +224,23 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             [y.cast_signed(), x.cast_signed(), at.w, at.z, at.x, at.y]
         });
         drawing.store_from(least, polygon, self.words.get_mut(start..).unwrap_or_default());
-        for last in 2..polygon.len() as u16 {
-            if let Added::Full = self.face(drawing, face, first, &[0, last - 1, last]) {
-                left_out.triangles += 1;
-            }
-        }
+        Some((first, polygon.len().saturating_sub(2)))
     }
+}
+
+/// The triangles of a polygon.
+static FAN: [[u16; 3]; MOST_CORNERS - 2] =
+    [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6], [0, 6, 7], [0, 7, 8]];
+
+/// Faces of a mesh, or the parts of one.
+struct Faces<'m> {
+    /// The vertex that corners are counted from.
+    first: usize,
+    corners: Iter<'m, [u16; 3]>,
+    /// Which face the next corners are of.
+    face: usize,
+    /// From one to the next: parts are all of the same.
+    step: usize,
 }
 
 /// The first column with a centre in a triangle, and the one after the last, inside the viewport.
