@@ -54,8 +54,7 @@ pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
     if (beyond(dx1) | beyond(dy1) | beyond(dx2) | beyond(dy2)) >> 16 == 0 {
         dx1 * dy2 - dx2 * dy1
     } else {
-        let area2 = area2(a, b, c);
-        (area2 >> 32) as i32 | i32::from(area2 as u32 != 0)
+        area2(a, b, c).signum() as i32
     }
 }
 

@@ -138,7 +138,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         faces: &mut Faces<'_>,
         left_out: &mut LeftOut,
     ) -> Option<([u16; 3], Outcode)> {
-        while let Some(&corners) = faces.corners.next() {
+        for &corners in faces.corners.by_ref() {
             match self.face(drawing, faces.face, faces.first, corners) {
                 Added::Done => {}
                 Added::Full => left_out.triangles += 1,
