@@ -360,7 +360,7 @@ mod tests {
                 // Powers of two, of which halves of a step are multiples; and others.
                 let w = if k % 2 == 0 { 1 << bit } else { (1 << bit) + k % (1 << bit) };
                 let [x, y] = [k, -k].map(|k: i32| {
-                    let part = i64::from(k) * i64::from(w) >> (k.unsigned_abs() % 3 + 15);
+                    let part = (i64::from(k) * i64::from(w)) >> (k.unsigned_abs() % 3 + 15);
                     part.clamp(-i64::from(w), i64::from(w)) as i32
                 });
                 let inverse = Projection::inverse(w);

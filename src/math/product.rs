@@ -1,7 +1,8 @@
-//! Products of 32 bits in 64.
+//! Products of 32 bits in 64, and shifts of them.
 //!
 //! A Cortex-M0+ multiplies 32 bits into the low 32, and would call for a product of 64 bits by 64: four products of 16
-//! bits take half the time. Chips that have the instruction use it. The result is the same.
+//! bits take half the time. A shift of 64 bits would be a call as well. Chips that have the instructions use them. The
+//! result is the same.
 
 /// Chips of Arm without compare-and-swap are those without `umull`: ARMv6-M.
 pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
