@@ -33,7 +33,7 @@ pub(crate) struct Outcode(pub(crate) u8);
 impl Outcode {
     #[inline]
     pub(crate) fn new(at: &Position, projection: &Projection) -> Self {
-        let mut code = u8::from(at.z < 0) | u8::from(at.w < at.z) << 1;
+        let mut code = 0;
         if projection.surely_inside(at) {
             return Self(code);
         }
@@ -166,5 +166,32 @@ mod tests {
             assert_eq!(fraction(part, whole).0 as u128, exact.unwrap_or_default(), "{part} / {whole}");
         }
         assert_eq!([fraction(0, 0), fraction(7, 7), fraction(0, 9)], [0, 1 << 30, 0].map(Fraction));
+    }
+
+    // Red when what is surely inside is so by one sign less, or `w` is not among them.
+    #[test]
+    fn what_is_surely_inside_is_inside_all_planes() {
+        let viewport =
+            crate::viewport::Viewport::new(embedded_graphics_core::geometry::Size::new(240, 200)).unwrap();
+        let projection = Projection::centred(viewport);
+        let mut state = 1_u64;
+        let mut random = |ends: &[i32]| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let number = (state >> 32) as i32;
+            ends.get(number as usize % 16).map_or(number >> 1 >> (state >> 20 & 31), |&end| end)
+        };
+        let mut sure = 0;
+        for _ in 0..1_000_000 {
+            // As far as a clip coordinate goes.
+            let most = (1 << 30) + 3;
+            let w = random(&[0, 1, -1, most, -most]);
+            let mut other =
+                || random(&[0, w, -w, w + 1, w - 1, 1 - w, -1 - w, most, -most]).clamp(-most, most);
+            let at = Position { x: other(), y: other(), z: other(), w };
+            let inside = distances(&at, &projection).iter().all(|&distance| distance >= 0);
+            assert!(inside || !projection.surely_inside(&at), "{at:?}");
+            sure += u32::from(projection.surely_inside(&at));
+        }
+        assert!(sure > 10_000, "{sure}");
     }
 }

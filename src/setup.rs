@@ -22,14 +22,14 @@ pub enum Cull {
 }
 
 impl Cull {
-    /// Whether a triangle of this doubled area is left out. One without an area always is.
+    /// Whether a triangle that faces this way is left out. One without an area always is.
     #[inline]
-    pub(crate) const fn leaves_out(self, area2: i64) -> bool {
+    pub(crate) const fn leaves_out(self, facing: i32) -> bool {
         match self {
             // Screen y grows down: counter-clockwise as seen is negative.
-            Self::Back => area2 >= 0,
-            Self::Front => area2 <= 0,
-            Self::None => area2 == 0,
+            Self::Back => facing >= 0,
+            Self::Front => facing <= 0,
+            Self::None => facing == 0,
         }
     }
 }
@@ -37,11 +37,25 @@ impl Cull {
 /// The doubled area, in steps of 2^-16 px^2: positive where a, b, c are clockwise as seen.
 ///
 /// Exact for vertices inside the guard rectangle, and for any that are at most 2^30 steps apart.
-#[inline]
+#[inline(never)]
 pub(crate) fn area2(a: Snapped, b: Snapped, c: Snapped) -> i64 {
     let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
     product::signed(bx.wrapping_sub(ax), cy.wrapping_sub(ay))
         - product::signed(cx.wrapping_sub(ax), by.wrapping_sub(ay))
+}
+
+/// A number with the sign of the doubled area. Where vertices are less than 128 px apart, 32 bits hold the products.
+#[inline(always)]
+pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
+    let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
+    let (dx1, dy1) = (bx.wrapping_sub(ax), by.wrapping_sub(ay));
+    let (dx2, dy2) = (cx.wrapping_sub(ax), cy.wrapping_sub(ay));
+    let beyond = |d: i32| d.wrapping_add(1 << 15);
+    if (beyond(dx1) | beyond(dy1) | beyond(dx2) | beyond(dy2)) >> 16 == 0 {
+        dx1 * dy2 - dx2 * dy1
+    } else {
+        area2(a, b, c).signum() as i32
+    }
 }
 
 /// A triangle less than this apart on both axes, in steps of 1/256 px, is small: 32 px. Products of its edges fit 32
@@ -85,8 +99,9 @@ impl Setup {
     /// assert!(Setup::new([at(0, 0), at(3, 3), at(9, 9)]).is_none());
     /// ```
     pub fn new(points: [Snapped; 3]) -> Option<(Self, [usize; 3])> {
-        let order = canonical(points);
-        let sorted = order.map(|i| points.get(i).copied().unwrap_or(Snapped::from_bits(0, 0)));
+        let [a, b, c] = points;
+        let sorted = canonical([(a, 0), (b, 1), (c, 2)]);
+        let (points, order) = (sorted.map(|(point, _)| point), sorted.map(|(_, place)| place));
         let extent = |ends: [i32; 3]| {
             let [a, b, c] = ends.map(i64::from);
             a.max(b).max(c) - a.min(b).min(c)
@@ -97,7 +112,7 @@ impl Setup {
             && width <= 8191 << SUBPIXEL_BITS
             && height <= 4095 << SUBPIXEL_BITS
             && width * height <= 1 << 39;
-        if fits { Self::sorted(sorted).map(|setup| (setup, order)) } else { None }
+        if fits { Self::sorted(points).map(|setup| (setup, order)) } else { None }
     }
 
     /// The vertices, in canonical order.
@@ -144,17 +159,24 @@ impl Setup {
     }
 }
 
-/// The order of three points by y, then x; points that are equal keep theirs.
-#[inline]
-pub(crate) fn canonical([a, b, c]: [Snapped; 3]) -> [usize; 3] {
-    let (a, b, c) = (a.order(), b.order(), c.order());
-    match (b < a, c < a, c < b) {
-        (false, false, false) => [0, 1, 2],
-        (false, false, true) => [0, 2, 1],
-        (true, false, _) => [1, 0, 2],
-        (true, true, false) => [1, 2, 0],
-        (false, true, _) => [2, 0, 1],
-        (true, true, true) => [2, 1, 0],
+/// Three points and what stands there, in the order by y, then x; those that are equal keep theirs.
+#[inline(always)]
+pub(crate) fn canonical<T>([a, b, c]: [(Snapped, T); 3]) -> [(Snapped, T); 3] {
+    let before = |(p, _): &(Snapped, T), (q, _): &(Snapped, T)| p.order() < q.order();
+    if before(&b, &a) {
+        if before(&c, &b) {
+            [c, b, a]
+        } else if before(&c, &a) {
+            [b, c, a]
+        } else {
+            [b, a, c]
+        }
+    } else if before(&c, &a) {
+        [c, a, b]
+    } else if before(&c, &b) {
+        [a, c, b]
+    } else {
+        [a, b, c]
     }
 }
 
@@ -169,6 +191,27 @@ mod tests {
         for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let (setup, _) = Setup::new(order.map(|i| points[i])).unwrap();
             assert_eq!(setup.points(), expected);
+        }
+    }
+
+    // Red when 32 bits are taken to be enough for vertices further apart: `1 << 16` in `facing`, or one difference left out.
+    #[test]
+    fn facing_is_the_sign_of_the_doubled_area() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as i32
+        };
+        // Near and at the ends of what 16 bits hold, and all over the largest guard rectangle.
+        let ends = [0, 1, -1, 0x7FFF, -0x8000, 0x8000, -0x8001, 0xFFFF, 0x1_0000, -0x1_0001];
+        for round in 0..1_000_000 {
+            let mut near = || match random() % 4 {
+                0 => random() >> 11,
+                1 => random() >> (11 + round % 20),
+                _ => ends.get(random() as usize % ends.len()).copied().unwrap_or_default(),
+            };
+            let [a, b, c] = [(); 3].map(|()| Snapped::from_bits(near(), near()));
+            assert_eq!(i64::from(facing(a, b, c).signum()), area2(a, b, c).signum(), "{a:?} {b:?} {c:?}");
         }
     }
 }

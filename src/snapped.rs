@@ -1,6 +1,6 @@
 //! Vertices on the screen, snapped to 1/256 px: what coverage, facing and gradients are all computed from.
 
-use crate::math::format::{Coord, HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
+use crate::math::format::{Coord, HALF_PIXEL, SUBPIXEL_BITS};
 
 /// A vertex on the screen, in steps of 1/256 px.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,13 +25,14 @@ impl Snapped {
 
     /// What canonical order compares: the row first.
     #[inline]
-    pub(crate) const fn order(self) -> (i32, i32) {
-        (self.y.to_bits(), self.x.to_bits())
+    pub(crate) const fn order(self) -> i64 {
+        let (x, y) = self.bits();
+        (y as i64) << 32 | (x ^ i32::MIN).cast_unsigned() as i64
     }
 }
 
 /// The first row or column whose pixel centres are at or beyond a coordinate.
 #[inline]
 pub(crate) const fn first_centre(coordinate: i32) -> i32 {
-    (coordinate + (SUBPIXELS - 1 - HALF_PIXEL)) >> SUBPIXEL_BITS
+    (coordinate + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS
 }

@@ -219,11 +219,13 @@ impl Projection {
         Self { viewport, centre: [0, 0], reach_log2: 0, roomy: false }
     }
 
-    /// Whether a position is easily seen to be inside the guard rectangle: most are.
+    /// Whether a position is easily seen to be inside all planes: most are.
     #[inline]
     pub(crate) fn surely_inside(&self, at: &Position) -> bool {
-        let w = at.w.max(-1);
-        self.roomy && -w <= at.x && at.x <= w && -w <= at.y && at.y <= w
+        // Sign bits: one test for all. Where a difference is too large for 32 bits, nothing is sure.
+        let &Position { x, y, z, w } = at;
+        let of = |d: Clip| w.wrapping_sub(d) | w.wrapping_add(d);
+        self.roomy && w | z | w.wrapping_sub(z) | of(x) | of(y) >= 0
     }
 
     /// Distances to the four sides of the guard rectangle, left, right, top and bottom, in 1/256 of the reach:
@@ -253,7 +255,7 @@ impl Projection {
     pub(crate) fn nearness(at: &Position, inverse: Reciprocal) -> u32 {
         let w_minus_z = at.w.wrapping_sub(at.z).max(0).unsigned_abs();
         // 1 / w = mantissa 2^(shift - 62): w has as many leading zeros as `shift`, so nothing is lost on the left.
-        let product = product::unsigned(w_minus_z, inverse.mantissa) << inverse.shift;
+        let product = product::up(product::unsigned(w_minus_z, inverse.mantissa), inverse.shift);
         (product >> 30).min(u64::from(u32::MAX)) as u32
     }
 
@@ -264,9 +266,10 @@ impl Projection {
         // x / w = x * mantissa * 2^(shift - 62), in steps of 2^-8 of a pixel, times the reach.
         let down = 62 - SUBPIXEL_BITS - self.reach_log2 - inverse.shift;
         let snap = |c: Clip| {
-            let size = product::unsigned(c.unsigned_abs(), inverse.mantissa).cast_signed();
-            let product = if c < 0 { -size } else { size };
-            ((product + (1 << (down - 1))) >> down) as i32
+            // A half is rounded up: down in size, where c is negative.
+            let size = product::unsigned(c.unsigned_abs(), inverse.mantissa) - u64::from(c < 0);
+            let rounded = product::down(size, down - 1).div_ceil(2).cast_signed();
+            if c < 0 { rounded.wrapping_neg() } else { rounded }
         };
         let (left, right) = self.viewport.guard(self.viewport.width());
         let (top, bottom) = self.viewport.guard(self.viewport.height());
@@ -344,5 +347,31 @@ mod tests {
             }
         }
         assert!(seen > 100_000 && bounded > 5_000, "{seen} {bounded}");
+    }
+
+    // Red when a half is rounded away from zero, or the rest of a negative coordinate is dropped the other way.
+    #[test]
+    fn a_projected_coordinate_is_rounded_to_nearest_and_halves_up() {
+        let viewport = Viewport::new(Size::new(240, 240)).unwrap();
+        let projection = Projection::centred(viewport);
+        let [cx, cy] = projection.centre;
+        for bit in 6..30 {
+            for k in 0..5_000 {
+                // Powers of two, of which halves of a step are multiples; and others.
+                let w = if k % 2 == 0 { 1 << bit } else { (1 << bit) + k % (1 << bit) };
+                let [x, y] = [k, -k].map(|k: i32| {
+                    let part = (i64::from(k) * i64::from(w)) >> (k.unsigned_abs() % 3 + 15);
+                    part.clamp(-i64::from(w), i64::from(w)) as i32
+                });
+                let inverse = Projection::inverse(w);
+                let scaled = |c: i32| {
+                    // In steps of 1/256 px, with 62 - 8 - 7 - shift bits more.
+                    let down = 47 - inverse.shift;
+                    ((i128::from(c) * i128::from(inverse.mantissa) + (1 << (down - 1))) >> down) as i32
+                };
+                let snapped = projection.project(&Position { x, y, z: 0, w }, inverse);
+                assert_eq!(snapped, Snapped::from_bits(cx + scaled(x), cy + scaled(y)), "{x} {y} / {w}");
+            }
+        }
     }
 }

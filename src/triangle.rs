@@ -153,7 +153,7 @@ fn fan(
     }
     let polygon = clip(Outcode(d | e | f), projection, mix, &mut places);
     let least = least(polygon, |_, vertex| {
-        let (at, (y, x)) = (vertex.position, snap(vertex).order());
+        let (at, (x, y)) = (vertex.position, snap(vertex).bits());
         [y, x, at.x, at.y]
     });
     let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
@@ -168,10 +168,9 @@ fn fan(
             // A step back: it would hit pixels of its neighbours again.
             continue;
         }
-        let vertices = [first, middle, last];
-        let order = canonical(vertices.map(snap)).map(|i| vertices.get(i).copied().unwrap_or(first));
-        let drawn =
-            Setup::sorted(order.map(snap)).map(|setup| draw(&setup, order.map(|vertex| &vertex.carried)));
+        let order = canonical([first, middle, last].map(|vertex| (snap(vertex), vertex)));
+        let drawn = Setup::sorted(order.map(|(at, _)| at))
+            .map(|setup| draw(&setup, order.map(|(_, vertex)| &vertex.carried)));
         if drawn == Some(false) {
             return;
         }

@@ -1,6 +1,7 @@
 //! Into the list: a mesh's vertices to the screen, its faces culled, clipped and put in canonical order.
 
 use core::marker::PhantomData;
+use core::slice::Iter;
 
 use super::drawing::{Drawing, Layout, Shaded, UNSEEN};
 use super::render::{self, stride};
@@ -12,7 +13,7 @@ use crate::math::format::Coord;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
 use crate::raster::Traversal;
-use crate::setup::{area2, canonical};
+use crate::setup::{canonical, facing};
 use crate::shade::{PixelShader, Shader};
 use crate::snapped::{Snapped, first_centre};
 use crate::transform::Transform;
@@ -62,7 +63,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         drawing: &Drawing<'_, D>,
         (words_before, shaders_before): (usize, usize),
     ) -> Result<(), DrawError> {
-        let &Drawing { mesh, layout: Layout { stride, .. }, base, .. } = drawing;
+        let &Drawing { mesh, layout, base, .. } = drawing;
+        let stride = layout.stride();
         let faces = mesh.faces().len();
         let start = self.used_words;
         let first = (start - base).checked_div(stride).unwrap_or_default();
@@ -76,19 +78,16 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         }
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
-        for (face, corners) in mesh.faces().iter().enumerate() {
-            let [a, b, c] = *corners;
-            let vertices = [first + usize::from(a), first + usize::from(b), first + usize::from(c)];
-            let [a, b, c] = vertices;
-            let header = |vertex| self.header(drawing.word(vertex));
-            match seen(header(a), header(b), header(c)) {
-                Seen::Outside => self.stats.outside += 1,
-                Seen::Whole(points) => self.face(drawing, face, vertices, points, &mut left_out),
-                Seen::Crossing(planes) => {
-                    self.stats.clipped += 1;
-                    self.clipped(drawing, face, *corners, planes, &mut left_out);
-                }
+        let mut faces = Faces { first, corners: mesh.faces().iter(), face: 0, step: 1 };
+        while let Some((corners, planes)) = self.faces(drawing, &mut faces, &mut left_out) {
+            self.stats.clipped += 1;
+            if let Some((first, triangles)) = self.clipped(drawing, corners, planes, &mut left_out) {
+                let fan = FAN.get(..triangles).unwrap_or_default();
+                let mut parts = Faces { first, corners: fan.iter(), face: faces.face, step: 0 };
+                // None of them crosses a plane.
+                self.faces(drawing, &mut parts, &mut left_out);
             }
+            faces.face += 1;
         }
         left_out.result(self.free())
     }
@@ -130,99 +129,130 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         fits
     }
 
-    /// The first two words of a vertex.
-    fn header(&self, at: usize) -> [u32; 2] {
-        match self.words.get(at..) {
-            Some([x, y, ..]) => [*x, *y],
-            _ => [UNSEEN, u32::from(u8::MAX)],
-        }
-    }
-
-    /// Where a vertex that is inside all planes lies.
-    fn point(&self, drawing: &Drawing<'_, D>, vertex: usize) -> Snapped {
-        let [x, y] = self.header(drawing.word(vertex));
-        Snapped::from_bits(x.cast_signed(), y.cast_signed())
-    }
-
-    /// Adds a triangle of three vertices of the list, unless it is culled or touches no pixel centre of the viewport.
-    fn face(
+    /// Adds faces, up to one that crosses planes: that is returned, and `faces` stays at it. Apart, so that meshes and fans
+    /// share the loop.
+    #[inline(never)]
+    fn faces(
         &mut self,
         drawing: &Drawing<'_, D>,
-        face: usize,
-        vertices: [usize; 3],
-        points: [Snapped; 3],
+        faces: &mut Faces<'_>,
         left_out: &mut LeftOut,
-    ) {
-        let [a, b, c] = points;
-        if self.cull.leaves_out(area2(a, b, c)) {
+    ) -> Option<([u16; 3], Outcode)> {
+        for &corners in faces.corners.by_ref() {
+            match self.face(drawing, faces.face, faces.first, corners) {
+                Added::Done => {}
+                Added::Full => left_out.triangles += 1,
+                Added::Crossing(planes) => return Some((corners, planes)),
+            }
+            faces.face += faces.step;
+        }
+        None
+    }
+
+    /// Adds a triangle of three vertices, counted from the `first`, unless it is outside, culled, or touches no pixel
+    /// centre of the viewport.
+    #[inline(always)]
+    fn face(&mut self, drawing: &Drawing<'_, D>, face: usize, first: usize, [a, b, c]: [u16; 3]) -> Added {
+        let Some(words) = self.words.get(drawing.word(first)..) else { return Added::Done };
+        let header = |corner: u16| header(words, usize::from(corner) * drawing.layout.stride());
+        let Some(p) = header(a) else { return Added::Done };
+        let Some(q) = header(b) else { return Added::Done };
+        let Some(r) = header(c) else { return Added::Done };
+        let ([px, py], [qx, qy], [rx, ry]) = (p, q, r);
+        if px == UNSEEN || qx == UNSEEN || rx == UNSEEN {
+            let planes = |[x, planes]: [u32; 2]| if x == UNSEEN { planes as u8 } else { 0 };
+            let (p, q, r) = (planes(p), planes(q), planes(r));
+            if p & q & r == 0 {
+                return Added::Crossing(Outcode(p | q | r));
+            }
+            self.stats.outside += 1;
+            return Added::Done;
+        }
+        let point = |x: u32, y: u32| Snapped::from_bits(x.cast_signed(), y.cast_signed());
+        let (p, q, r) = (point(px, py), point(qx, qy), point(rx, ry));
+        if self.cull.leaves_out(facing(p, q, r)) {
             self.stats.culled += 1;
-            return;
+            return Added::Done;
         }
         let [width, height] = self.size;
-        let (left, right) = centres(a.x, b.x, c.x, width);
-        let (top, bottom) = centres(a.y, b.y, c.y, height);
+        let (left, right) = centres(p.x, q.x, r.x, width);
+        let [(high, a), (_, b), (low, c)] = canonical([(p, a), (q, b), (r, c)]);
+        let (top, bottom) = (centre(high.y, height), centre(low.y, height));
         if left == right || top == bottom {
             self.stats.outside += 1;
-            return;
+            return Added::Done;
         }
-        let Some(place) = self.triangles.get_mut(self.used_triangles) else {
-            left_out.triangles += 1;
-            return;
-        };
-        let [i, j, k] = canonical(points);
-        let named = |i: usize| vertices.get(i).copied().unwrap_or_default() as u16;
+        let Some(place) = self.triangles.get_mut(self.used_triangles) else { return Added::Full };
+        let named = |corner: u16| (first as u16).wrapping_add(corner);
         *place = ListTriangle {
-            vertices: [named(i), named(j), named(k)],
+            vertices: [named(a), named(b), named(c)],
             shader: drawing.kept,
             colour: drawing.shaded.face(face),
             rows: [top, bottom],
         };
         self.used_triangles += 1;
         self.stats.drawn += 1;
+        Added::Done
     }
 
-    /// Clips a face, and adds the polygon that is left of it as a fan from its least vertex. Apart, as few faces are.
+    /// Clips a face, and adds the vertices of the polygon that is left of it, from its least one on: the first of them, and
+    /// how many triangles there are. Apart, as few faces are.
     #[inline(never)]
     fn clipped(
         &mut self,
         drawing: &Drawing<'_, D>,
-        face: usize,
         corners: [u16; 3],
         planes: Outcode,
         left_out: &mut LeftOut,
-    ) {
+    ) -> Option<(usize, usize)> {
         let mut places = [Polygon::new(), Polygon::new()];
         let polygon = drawing.polygon(corners, planes, &mut places);
-        let stride = drawing.layout.stride;
+        let stride = drawing.layout.stride();
         let start = self.used_words;
         let first = (start - drawing.base).checked_div(stride).unwrap_or_default();
         let words = polygon.len() * stride;
         if first + polygon.len() > MAX_NAMED || !self.reserve(words) {
             left_out.triangles += polygon.len().saturating_sub(2);
             left_out.words += words;
-            return;
+            return None;
         }
         // Where vertices lie says which of them is least: by row, then column, then by all else that tells them apart.
         drawing.store_from(0, polygon, self.words.get_mut(start..).unwrap_or_default());
         let least = least(polygon, |place, vertex| {
-            let (at, (y, x)) = (vertex.position, self.point(drawing, first + place).order());
-            [y, x, at.w, at.z, at.x, at.y]
+            let [x, y] = header(self.words, drawing.word(first + place)).unwrap_or_default();
+            let at = vertex.position;
+            [y.cast_signed(), x.cast_signed(), at.w, at.z, at.x, at.y]
         });
         drawing.store_from(least, polygon, self.words.get_mut(start..).unwrap_or_default());
-        for last in 2..polygon.len() {
-            let [a, b, c] = [first, first + last - 1, first + last];
-            let points = [self.point(drawing, a), self.point(drawing, b), self.point(drawing, c)];
-            self.face(drawing, face, [a, b, c], points, left_out);
-        }
+        Some((first, polygon.len().saturating_sub(2)))
     }
 }
 
-/// The first row or column with a centre in a triangle, and the one after the last, inside the viewport.
+/// The triangles of a polygon.
+static FAN: [[u16; 3]; MOST_CORNERS - 2] =
+    [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6], [0, 6, 7], [0, 7, 8]];
+
+/// Faces of a mesh, or the parts of one.
+struct Faces<'m> {
+    /// The vertex that corners are counted from.
+    first: usize,
+    corners: Iter<'m, [u16; 3]>,
+    /// Which face the next corners are of.
+    face: usize,
+    /// From one to the next: parts are all of the same.
+    step: usize,
+}
+
+/// The first column with a centre in a triangle, and the one after the last, inside the viewport.
 #[inline]
 fn centres(a: Coord, b: Coord, c: Coord, length: i32) -> (u16, u16) {
-    let (a, b, c) = (a.to_bits(), b.to_bits(), c.to_bits());
-    let inside = |coordinate: i32| first_centre(coordinate).max(0).min(length) as u16;
-    (inside(a.min(b).min(c)), inside(a.max(b).max(c)))
+    (centre(a.min(b).min(c), length), centre(a.max(b).max(c), length))
+}
+
+/// The first row or column at or beyond a coordinate, inside the viewport.
+#[inline]
+fn centre(coordinate: Coord, length: i32) -> u16 {
+    first_centre(coordinate.to_bits()).max(0).min(length) as u16
 }
 
 /// What did not fit: triangles, and the words of those that were clipped.
@@ -241,23 +271,18 @@ impl LeftOut {
     }
 }
 
-/// What the headers of three vertices say of their face.
-enum Seen {
-    Outside,
-    Whole([Snapped; 3]),
+/// What became of a face.
+enum Added {
+    /// It is in the list, or need not be.
+    Done,
+    /// It is not in the list, which is full.
+    Full,
+    /// It is cut by these planes.
     Crossing(Outcode),
 }
 
-#[inline]
-fn seen(a: [u32; 2], b: [u32; 2], c: [u32; 2]) -> Seen {
-    let planes = |[x, planes]: [u32; 2]| if x == UNSEEN { planes as u8 } else { 0 };
-    let (p, q, r) = (planes(a), planes(b), planes(c));
-    if p & q & r != 0 {
-        Seen::Outside
-    } else if p | q | r == 0 {
-        let point = |[x, y]: [u32; 2]| Snapped::from_bits(x.cast_signed(), y.cast_signed());
-        Seen::Whole([point(a), point(b), point(c)])
-    } else {
-        Seen::Crossing(Outcode(p | q | r))
-    }
+/// The first two words of a vertex: x and y, or [`UNSEEN`] and the planes that it is outside of.
+#[inline(always)]
+fn header(words: &[u32], at: usize) -> Option<[u32; 2]> {
+    words.get(at..at + 2)?.first_chunk().copied()
 }

@@ -53,7 +53,7 @@ impl<'a, S: Shader<'a, P>, P> VertexShader for Shaded<'_, 'a, S, P> {
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
     /// How many there are.
-    pub(super) stride: usize,
+    stride: u8,
     /// Of these, for the shader.
     carried: usize,
     /// Whether 1/w is one of them.
@@ -65,11 +65,16 @@ pub(super) struct Layout {
 impl Layout {
     pub(super) fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
         Self {
-            stride: stride::<P, D, S>(),
+            stride: stride::<P, D, S>() as u8,
             carried: S::Vertex::WORDS,
             inverse: S::PERSPECTIVE,
             perspective: C::PERSPECTIVE,
         }
+    }
+
+    #[inline]
+    pub(super) fn stride(self) -> usize {
+        usize::from(self.stride)
     }
 }
 
@@ -89,13 +94,13 @@ pub(super) struct Drawing<'m, D> {
 impl<D: Depth> Drawing<'_, D> {
     /// Where a vertex of the shader starts.
     pub(super) fn word(&self, vertex: usize) -> usize {
-        self.base + vertex * self.layout.stride
+        self.base + vertex * self.layout.stride()
     }
 
     /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
     pub(super) fn vertices(&self, mut words: &mut [u32]) {
         for (vertex, &position) in self.mesh.positions().iter().enumerate() {
-            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride) else { break };
+            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride()) else { break };
             let position = self.transform.position(position);
             let planes = Outcode::new(&position, &self.transform.projection);
             if planes == Outcode(0) {
@@ -111,14 +116,14 @@ impl<D: Depth> Drawing<'_, D> {
     fn store(&self, words: &mut [u32], position: &Position, carried: &Carried) {
         let inverse = self.inverse(position);
         let (x, y) = self.transform.projection.project(position, inverse).bits();
-        let mut words = words.iter_mut();
+        let [to_x, to_y, rest @ ..] = words else { return };
+        (*to_x, *to_y) = (x.cast_unsigned(), y.cast_unsigned());
+        let mut words = rest.iter_mut();
         let mut put = |word: u32| {
             if let Some(place) = words.next() {
                 *place = word;
             }
         };
-        put(x.cast_unsigned());
-        put(y.cast_unsigned());
         D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
         if self.layout.inverse {
             PerVertexInverse::new(inverse).store(&mut put);
@@ -133,7 +138,7 @@ impl<D: Depth> Drawing<'_, D> {
     pub(super) fn store_from(&self, place: usize, polygon: &Polygon, mut words: &mut [u32]) {
         let (before, from) = polygon.split_at_checked(place).unwrap_or_default();
         for vertex in from.iter().chain(before) {
-            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride) else { break };
+            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride()) else { break };
             self.store(here, &vertex.position, &vertex.carried);
             words = rest;
         }

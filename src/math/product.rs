@@ -1,10 +1,11 @@
-//! Products of 32 bits in 64.
+//! Products of 32 bits in 64, and shifts of them.
 //!
 //! A Cortex-M0+ multiplies 32 bits into the low 32, and would call for a product of 64 bits by 64: four products of 16
-//! bits take half the time. Chips that have the instruction use it. The result is the same.
+//! bits take half the time. A shift of 64 bits would be a call as well. Chips that have the instructions use them. The
+//! result is the same.
 
 /// Chips of Arm without compare-and-swap are those without `umull`: ARMv6-M.
-const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// `a * b`, unsigned.
 #[inline(always)]
@@ -23,6 +24,46 @@ pub(crate) fn signed(a: i32, b: i32) -> i64 {
     } else {
         i64::from(a) * i64::from(b)
     }
+}
+
+/// `(a * b + rounding) / 2^16` modulo 2^32, for a `b` of at most 2^16 and a rounding of less.
+#[inline(always)]
+pub(crate) fn scaled(a: u32, b: u32, rounding: u32) -> u32 {
+    if NARROW {
+        scaled_by_halves(a, b, rounding)
+    } else {
+        ((u64::from(a) * u64::from(b) + u64::from(rounding)) >> 16) as u32
+    }
+}
+
+/// The low half of `x >> by`, for a `by` below 64.
+#[inline(always)]
+pub(crate) fn down(x: u64, by: u32) -> u32 {
+    if NARROW { down_by_words(x, by) } else { (x >> by) as u32 }
+}
+
+/// `x << by`, for a `by` below 32.
+#[inline(always)]
+pub(crate) fn up(x: u64, by: u32) -> u64 {
+    if NARROW { up_by_words(x, by) } else { x << by }
+}
+
+#[inline(always)]
+const fn scaled_by_halves(a: u32, b: u32, rounding: u32) -> u32 {
+    // Both are less than 2^32.
+    ((a >> 16) * b).wrapping_add(((a & 0xFFFF) * b + rounding) >> 16)
+}
+
+#[inline(always)]
+const fn down_by_words(x: u64, by: u32) -> u32 {
+    let (low, high) = (x as u32, (x >> 32) as u32);
+    if by < 32 { low >> by | high << 1 << (31 - by) } else { high >> (by & 31) }
+}
+
+#[inline(always)]
+fn up_by_words(x: u64, by: u32) -> u64 {
+    let (low, high, by) = (x as u32, (x >> 32) as u32, by & 31);
+    u64::from(high << by | low >> 1 >> (31 - by)) << 32 | u64::from(low << by)
 }
 
 #[inline(never)]
@@ -51,8 +92,27 @@ mod tests {
         let pairs = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));
         for (a, b) in pairs.chain((0..100_000).map(|_| (random(), random()))) {
             assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
+            for short in [b & 0xFFFF, 1 << 16] {
+                for rounding in [0, b >> 16, 0xFFFF] {
+                    let exact = (u64::from(a) * u64::from(short) + u64::from(rounding)) >> 16;
+                    assert_eq!(scaled_by_halves(a, short, rounding), exact as u32, "{a:#x} {short:#x}");
+                }
+            }
             let (a, b) = (a.cast_signed(), b.cast_signed());
             assert_eq!(signed(a, b), i64::from(a) * i64::from(b), "{a:#x} {b:#x}");
+        }
+    }
+
+    // Red when a bit is lost between the words, or at the ends of a shift's range.
+    #[test]
+    fn words_are_shifted_as_one() {
+        for x in [1, u64::MAX, 0x8000_0000, 1 << 32, 0x9E37_79B9_7F4A_7C15] {
+            for by in 0..64 {
+                assert_eq!(down_by_words(x, by), (x >> by) as u32, "{x:#x} >> {by}");
+            }
+            for by in 0..32 {
+                assert_eq!(up_by_words(x, by), x << by, "{x:#x} << {by}");
+            }
         }
     }
 }

@@ -108,7 +108,8 @@ pub(crate) fn short(height: u32) -> (u32, u32) {
 #[inline]
 pub(crate) fn vertex(w: u32) -> Reciprocal {
     let w = w.max(1);
-    let shift = w.leading_zeros();
+    // Most coordinates of a mesh are not much less than the largest.
+    let shift = if product::NARROW { normalising(w, 2) } else { w.leading_zeros() };
     Reciprocal { mantissa: newton(w << shift), shift }
 }
 
@@ -117,8 +118,8 @@ pub(crate) fn vertex(w: u32) -> Reciprocal {
 fn newton(normalised: u32) -> u32 {
     let seed = seed(normalised);
     // r' = r (2 - x r), with x r in 47 fraction bits: 2 - x r is about 1, and has 31 of them left.
-    let complement = ((2 << 47) - product::unsigned(normalised, seed)) >> 16;
-    (product::unsigned(seed, complement as u32) >> 16) as u32
+    let complement = product::scaled(normalised, seed, 0xFFFF).wrapping_neg();
+    product::scaled(complement, seed, 0)
 }
 
 /// `2^62 / (a << shift)` to the last bit or two, of the doubled area's 32 leading bits. A zero counts as one.

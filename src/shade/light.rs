@@ -218,10 +218,10 @@ pub(crate) fn lit([r, g, b]: [u8; 3], light: Light) -> [u8; 3] {
     [channel(r), channel(g), channel(b)]
 }
 
-/// `x / FULL`, for what a colour under light can be: `1 / (2^16 - 2^8)` is `2^-16 + 2^-24 + 2^-32` and
-/// little more.
+/// `x / FULL`, for what a colour under light can be: the first 16 bits over 255, of which `1 / 2^8 + 1 / 2^16` is little less.
 const fn over_full(x: u32) -> u32 {
-    (x + (x >> 8) + (x >> 16) + 1) >> 16
+    let x = x >> 8;
+    (x + (x >> 8) + 1) >> 8
 }
 
 #[cfg(test)]

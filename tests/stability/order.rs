@@ -129,7 +129,7 @@ pub(crate) fn vertex_orders() -> [u64; 3] {
     counts.map(|count| count.get())
 }
 
-// Red when a face keeps the order of its corners: `canonical` in src/list/draw.rs.
+// Red when a face keeps the order of its corners: `canonical` in src/setup.rs.
 #[test]
 fn row_32_planes_depend_on_the_order_of_the_vertices() {
     let [pixels, naive, ours] = vertex_orders();
