@@ -41,14 +41,12 @@ impl<T, F: FnMut(&mut T, i32, i32)> Sampler<T> for F {
     }
 }
 
-/// Pixels whose 1/w has the same leading zeros.
+/// Pixels whose 1/w is in [2^30, 2^31), and whose u/w and v/w are in [0, 2^31).
 #[derive(Clone, Copy, Debug)]
 pub struct Octave<'o> {
     pub(super) texel_box: &'o TexelBox,
     pub(super) start: &'o OverW,
     pub(super) step: &'o OverW,
-    /// The leading zeros.
-    pub(super) shift: u32,
 }
 
 impl Octave<'_> {
@@ -60,7 +58,11 @@ impl Octave<'_> {
         reciprocal: impl Fn(u32) -> u32,
         mut show: impl FnMut(&mut T, i32, i32),
     ) {
-        let ([mut q, mut u, mut v], [dq, du, dv]) = (self.start.up(self.shift), self.step.up(self.shift));
+        let (OverW { q, texel: [u, v] }, OverW { q: dq, texel: [du, dv] }) = (*self.start, *self.step);
+        // What follows the leading one.
+        let (mut q, dq) = (q.cast_unsigned() << 2, dq.cast_unsigned() << 2);
+        let (mut u, mut v, du, dv) =
+            (u.cast_unsigned(), v.cast_unsigned(), du.cast_unsigned(), dv.cast_unsigned());
         let ([least_u, least_v], down) = (self.texel_box.least, 31 - self.texel_box.span_log2);
         for pixel in run {
             // As below.

@@ -162,7 +162,8 @@ fn one_by_one<T>(
 impl Within {
     #[inline(never)]
     fn bent(self, texel_box: TexelBox, texels: [[Attribute; 2]; 3], q: [i32; 3]) -> (Bent, [OverW; 3]) {
-        (Bent { texel_box, between: self.between(&texel_box) }, texel_box.over_w(texels, q))
+        let (texel_box, over_w) = texel_box.over_w(texels, q);
+        (Bent { texel_box, between: self.between(&texel_box) }, over_w)
     }
 
     /// Whether a triangle may be affine: its texels are moved as far as that takes.
@@ -249,7 +250,7 @@ impl Bend {
         let sum = most + least;
         // In 16 fraction bits: (most + least) 2^span / edge, which is not 0, as there is something allowed.
         let shift = recip::normalising(self.edge, 16);
-        let reciprocal = recip::pixel(self.edge.max(1) << shift);
+        let reciprocal = recip::pixel(self.edge.max(1) << shift << 1);
         let size =
             (product::unsigned(sum.unsigned_abs(), reciprocal) >> (47 - self.span_log2 - shift)) as i32;
         let by = if sum < 0 { -size } else { size };
