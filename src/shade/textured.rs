@@ -69,6 +69,8 @@ pub struct LitTexture<'a, C> {
 fn texel(texture: &Texture<'_>, mesh: &Mesh<'_>, vertex: usize) -> [Attribute; 2] {
     let [u, v] = mesh.uvs().get(vertex).copied().unwrap_or_default();
     let [width, height] = texture.sizes_log2();
+    // Of one column all shows the same.
+    let u = if width == 0 { 0 } else { u };
     // raw 2^exponent / 2^15 of the size, in 16 fraction bits: at most 2^15 texels.
     let scaled = |raw: i16, size: u8| Attribute::from_bits(i32::from(raw) << (1 + size + mesh.uv_exponent()));
     [scaled(u, width), scaled(v, height)]
