@@ -142,9 +142,15 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         run: Run<'_, P, D>,
     ) {
         run.visible(|skipped, pixels| {
-            self.walk(triangle, start.plus(step.times(skipped)), step, pixels, Plain);
+            self.walk(triangle, after(start, step, skipped), step, pixels, Plain);
         });
     }
+}
+
+/// What is linear, so many pixels after its start: at most runs' first pixel it is the start.
+#[inline(always)]
+fn after<V: Varying>(start: V, step: &V, pixels: i32) -> V {
+    if pixels == 0 { start } else { start.plus(step.times(pixels)) }
 }
 
 /// Where a triangle of a texture is drawn, by whichever method.
@@ -277,7 +283,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         run: Run<'_, P, D>,
     ) {
         run.visible(|skipped, pixels| {
-            let (start, light) = start.plus(step.times(skipped));
+            let (start, light) = after(start, step, skipped);
             self.0.walk(triangle, start, &step.0, pixels, Lit(light, step.1));
         });
     }
