@@ -165,3 +165,45 @@ pub(super) struct Exact {
     /// `2^47 / (q << shift)`.
     pub(super) reciprocal: u32,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setup::Setup;
+    use crate::snapped::Snapped;
+
+    // Red with no margin, of 1/w or of u/w and v/w.
+    #[test]
+    fn a_triangle_of_one_octave_keeps_to_it() {
+        let mut state = 1_u64;
+        let mut below = |end: i32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) as i32).rem_euclid(end)
+        };
+        let mut checked = 0;
+        for _ in 0..10_000 {
+            // An edge through centres of pixels where both texels are least and 1/w is, and a third vertex anywhere.
+            let (dx, dy, steps) = (below(8) - 4, below(8) - 4, 1 + below(500));
+            let at = |[x, y]: [i32; 2]| Snapped::from_bits(x * 256 + 128, y * 256 + 128);
+            let corners = [[0, 0], [dx * steps, dy * steps], [below(4000) - 2000, below(4000) - 2000]];
+            let Some((setup, order)) = Setup::new(corners.map(at)) else { continue };
+            let span = Attribute::from_bits(1 + below(64 << 16));
+            let texels = [[Attribute::ZERO; 2], [Attribute::ZERO; 2], [span, span]];
+            let inverses =
+                [LEAST_OF_OCTAVE, LEAST_OF_OCTAVE, LEAST_OF_OCTAVE + below(GREATEST - LEAST_OF_OCTAVE)];
+            let (texel_box, over_w) = TexelBox::new(texels).over_w(texels, inverses);
+            assert!(texel_box.octave);
+            let plane = OverW::plane(&setup.gradients(), order.map(|vertex| over_w[vertex]));
+            let [x, y] = setup.anchor();
+            for step in 0..=steps {
+                let OverW { q, texel: [u, v] } = plane.at(dx * step - x, dy * step - y);
+                assert!(q >= 1 << 30 && u >= 0 && v >= 0, "{corners:?} {span} {inverses:?}: {q:#x} {u} {v}");
+                checked += 1;
+            }
+        }
+        assert!(checked > 1_000_000, "{checked}");
+        let inverses = [LEAST_OF_OCTAVE - 1, GREATEST, GREATEST];
+        let texels = [[Attribute::ZERO; 2]; 3];
+        assert!(!TexelBox::new(texels).over_w(texels, inverses).0.octave);
+    }
+}

@@ -200,3 +200,38 @@ impl<'t> Repeated<'t> {
         self.texels.get(index).copied().unwrap_or_default()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a column reaches a row, the other way round, or the corner is left out.
+    #[test]
+    fn a_repeated_texel_is_the_textures_own() {
+        let texels: [u16; 1 << 14] = core::array::from_fn(|i| i as u16);
+        for (width_log2, height_log2) in [(0, 0), (0, 10), (10, 0), (1, 3), (4, 10), (10, 4)] {
+            let texture =
+                Texture::new(1 << width_log2, 1 << height_log2, &texels[..1 << (width_log2 + height_log2)]);
+            let texture = texture.unwrap();
+            // Of one column, it is 0.
+            let columns =
+                if width_log2 == 0 { &[0][..] } else { &[-32_768, -1_025, -1, 0, 1, 1_023, 1_024, 32_767] };
+            for &column in columns {
+                for row in [0, 1, 2, 1_023, 1_024, 32_767, 65_535, 65_536] {
+                    let repeated = Repeated::new(&texture, [0; 2]).unwrap();
+                    assert_eq!(repeated.texel(column, row), texture.repeated(column, row), "{column} {row}");
+                    for corner in [-32_768, -1, 1, 1_023, 32_767] {
+                        let repeated =
+                            Repeated::new(&texture, [if width_log2 == 0 { 0 } else { corner }, corner]);
+                        let expected = texture.repeated(column + corner, row + corner);
+                        assert_eq!(
+                            repeated.unwrap().texel(column, row),
+                            expected,
+                            "{corner}: {column} {row}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
