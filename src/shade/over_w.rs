@@ -119,8 +119,9 @@ impl TexelBox {
 
     /// The box of three texels, and they over w, for 1/w in 31 fraction bits.
     ///
-    /// In one octave u/w and v/w are kept as far above 0 as interpolation may be off: by `U 2^-17` at most, where what is
-    /// below 2^-16 of 1/w counts as nothing.
+    /// In one octave u/w and v/w are kept as far above 0 as interpolation may be off. That is 2^-17 of 1/w at most, and
+    /// with what a reciprocal is too high by, 2^-14 and half a step of 2^-16, a texel is not further off than before: where
+    /// the chord is 2^-14, 1/w is least, and half a step of its reciprocal 2^-17.
     #[inline]
     pub(super) fn over_w(self, texels: [[Attribute; 2]; 3], inverses: [i32; 3]) -> (Self, [OverW; 3]) {
         let ([a, b, c], [qa, qb, qc]) = (self.parts(texels), inverses);

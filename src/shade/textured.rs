@@ -69,11 +69,15 @@ pub struct LitTexture<'a, C> {
 fn texel(texture: &Texture<'_>, mesh: &Mesh<'_>, vertex: usize) -> [Attribute; 2] {
     let [u, v] = mesh.uvs().get(vertex).copied().unwrap_or_default();
     let [width, height] = texture.sizes_log2();
-    // Of one column all shows the same.
-    let u = if width == 0 { 0 } else { u };
     // raw 2^exponent / 2^15 of the size, in 16 fraction bits: at most 2^15 texels.
     let scaled = |raw: i16, size: u8| Attribute::from_bits(i32::from(raw) << (1 + size + mesh.uv_exponent()));
     [scaled(u, width), scaled(v, height)]
+}
+
+/// Three texels as they are drawn: of one column, all are in it, as the sampler has it.
+#[inline(always)]
+fn columns(texture: &Texture<'_>, texels: [[Attribute; 2]; 3]) -> [[Attribute; 2]; 3] {
+    if texture.width() == 1 { texels.map(|[_, v]| [Attribute::ZERO, v]) } else { texels }
 }
 
 impl<'a, P: Pixel, C: Correction> Shader<'a, P> for Textured<'a, C> {
@@ -117,7 +121,8 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         vertices: [[Attribute; 2]; 3],
         inverses: [PerVertexInverse; 3],
     ) -> (C::Triangle, [C::Varying; 3]) {
-        self.correction.triangle(vertices, inverses, self.texture.sizes_log2())
+        let texels = columns(&self.texture, vertices);
+        self.correction.triangle(texels, inverses, self.texture.sizes_log2())
     }
 
     #[inline]
@@ -130,7 +135,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     ) -> D::Output {
         let Self { texture, correction } = *self;
         let onto = OntoTexels { texture, onto, pixel: PhantomData::<P> };
-        correction.choose(vertices, inverses, texture.sizes_log2(), onto)
+        correction.choose(columns(&texture, vertices), inverses, texture.sizes_log2(), onto)
     }
 
     #[inline(always)]
@@ -253,7 +258,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         inverses: [PerVertexInverse; 3],
     ) -> (C::Triangle, [(C::Varying, Attribute); 3]) {
         let (triangle, texels) = self.0.correction.triangle(
-            vertices.map(|vertex| vertex.0),
+            columns(&self.0.texture, vertices.map(|vertex| vertex.0)),
             inverses,
             self.0.texture.sizes_log2(),
         );
@@ -271,7 +276,8 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         let Self(Textured { texture, correction }) = *self;
         let plain = OntoTexels { texture, onto, pixel: PhantomData::<P> };
         let onto = OntoLit { plain, light: vertices.map(|vertex| vertex.1) };
-        correction.choose(vertices.map(|vertex| vertex.0), inverses, texture.sizes_log2(), onto)
+        let texels = columns(&texture, vertices.map(|vertex| vertex.0));
+        correction.choose(texels, inverses, texture.sizes_log2(), onto)
     }
 
     #[inline(always)]
