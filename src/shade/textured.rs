@@ -77,7 +77,10 @@ fn texel(texture: &Texture<'_>, mesh: &Mesh<'_>, vertex: usize) -> [Attribute; 2
 /// Three texels as they are drawn: of one column, all are in it, as the sampler has it.
 #[inline(always)]
 fn columns(texture: &Texture<'_>, texels: [[Attribute; 2]; 3]) -> [[Attribute; 2]; 3] {
-    if texture.width() == 1 { texels.map(|[_, v]| [Attribute::ZERO, v]) } else { texels }
+    let mask = if texture.width() == 1 { 0 } else { !0 };
+    let column = |u: Attribute| Attribute::from_bits(u.to_bits() & mask);
+    let [[au, av], [bu, bv], [cu, cv]] = texels;
+    [[column(au), av], [column(bu), bv], [column(cu), cv]]
 }
 
 impl<'a, P: Pixel, C: Correction> Shader<'a, P> for Textured<'a, C> {
