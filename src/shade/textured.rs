@@ -297,3 +297,27 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::pixelcolor::Rgb565;
+
+    use super::*;
+    use crate::math::recip;
+    use crate::shade::Affine;
+
+    // Red when a texture of one column has others, in a triangle set up by itself.
+    #[test]
+    fn one_column_repeats() {
+        let texels = [1, 2, 3, 4];
+        let shader = Textured::new(&Texture::new(1, 4, &texels).unwrap(), Affine);
+        let at = |u: i32, v: i32| [u, v].map(Attribute::from_num);
+        let vertices = [at(7, -1), at(-2, 0), at(9, 5)];
+        let inverses = [PerVertexInverse::new(recip::vertex(1)); 3];
+        let ((), varyings) = PixelShader::<Rgb565>::triangle(&shader, [0; 3], vertices, inverses);
+        let step = varyings[1].plus(varyings[0].times(-1));
+        let mut colours = [Rgb565::from_texel(0); 6];
+        shader.shade(&(), varyings[0], &step, Run::new(&mut colours));
+        assert_eq!(colours, [4, 1, 2, 3, 4, 1].map(Rgb565::from_texel));
+    }
+}
