@@ -49,26 +49,29 @@ fn seed(normalised: u32) -> u32 {
     low + 32_768 - (((low - high) * fraction + 0x8000) >> 16)
 }
 
-/// `round(2^16 / (1 + i / 64))`, at most 2^16 - 1, in the high half of a word, and how much less the next is in the low.
+/// Lines from `round(2^16 / (1 + i / 64))`, at most 2^16 - 1, to the next: where each begins at x = 0 in the high half of a
+/// word, and how much it falls in a 64th in the low.
 static PIXEL: [u32; 64] = {
     let mut table = [0; 64];
     let mut i = 0;
     while i < table.len() {
         let entry = if i == 0 { 0xFFFF } else { TABLE[i] as u32 + 32_768 };
-        table[i] = entry << 16 | (entry - (TABLE[i + 1] as u32 + 32_768));
+        let fall = entry - (TABLE[i + 1] as u32 + 32_768);
+        table[i] = (entry + i as u32 * fall) << 16 | fall;
         i += 1;
     }
     table
 };
 
-/// `2^47 / x` for `x` in [2^31, 2^32), in [2^15, 2^16): the table in one word, and linear interpolation rounded down.
+/// `2^16 / (1 + x 2^-32)`, in [2^15, 2^16), from the 32 bits that follow the leading one of a number: the table in one
+/// word, and linear interpolation rounded down.
 ///
 /// What the low half adds to the high one is less than a 64th of its step.
 #[inline(always)]
 pub(crate) fn pixel(x: u32) -> u32 {
     // The index is below 64: this is for the compiler, which then needs no panic path.
-    let word = PIXEL.get((x >> 25 & 63) as usize).copied().unwrap_or_default();
-    (word - (word & 0xFFFF) * (x >> 9 & 0xFFFF)) >> 16
+    let word = PIXEL.get((x >> 26) as usize).copied().unwrap_or_default();
+    (word - (word & 0xFFFF) * (x >> 10)) >> 16
 }
 
 /// `part / x` in 31 fraction bits, from the reciprocal of an x normalised to 32 bits and a part of it to 31.
@@ -223,7 +226,7 @@ mod tests {
     #[test]
     fn pixel_is_within_the_chord_and_a_step() {
         for x in inputs() {
-            let r = pixel(x);
+            let r = pixel(x << 1);
             // x r = 2^47 (1 + e). An entry is rounded by half a step of r, the first by one, and the interpolation by
             // one; the chord lies up to 2^-14 above, and what the low half adds by a 64th of a step.
             let (product, step) = (u64::from(x) * u64::from(r), u64::from(x));

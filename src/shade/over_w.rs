@@ -21,17 +21,23 @@ impl OverW {
         Self { q: self.q.max(1), texel: [u.max(0), v.max(0)] }
     }
 
-    /// With 1/w normalised to 32 bits, and u/w and v/w to one less: interpolation may run some steps above 1/w.
+    /// All of it up by this many bits.
     #[inline(always)]
-    pub(super) fn up(self, shift: u32) -> [u32; 3] {
-        let [u, v] = self.texel.map(i32::cast_unsigned);
-        [self.q.cast_unsigned() << shift, u << (shift - 1), v << (shift - 1)]
+    pub(super) fn up(self, shift: u32) -> Self {
+        Self { q: self.q << shift, texel: self.texel.map(|over_w| over_w << shift) }
     }
 }
 
-/// The greatest 1/w of a vertex, lest interpolation should run over 2^31: the 8191 columns and 4095 rows of the largest
-/// guard rectangle round by 6144 steps. It is off by 2^-18 of itself where w is a power of two, and nowhere else.
-const GREATEST: i32 = i32::MAX - (1 << 13) + 1;
+/// More than interpolation is ever off by: the 8191 columns and 4095 rows of the largest guard rectangle round by 6144
+/// steps.
+const MARGIN: i32 = 1 << 13;
+
+/// The greatest 1/w of a vertex, lest interpolation should run over 2^31. It is off by 2^-18 of itself where w is a power of
+/// two, and nowhere else.
+const GREATEST: i32 = i32::MAX - MARGIN + 1;
+
+/// The least 1/w of the upper octave that interpolation keeps in it.
+const LEAST_OF_OCTAVE: i32 = (1 << 30) + MARGIN;
 
 impl Varying for OverW {
     #[inline]
@@ -82,6 +88,8 @@ pub struct TexelBox {
     pub(super) least: [i32; 2],
     /// 0 to 16.
     pub(super) span_log2: u32,
+    /// Whether at all pixels 1/w is in [2^30, 2^31), and u/w and v/w are in [0, 2^31).
+    pub(super) octave: bool,
 }
 
 impl TexelBox {
@@ -93,13 +101,13 @@ impl TexelBox {
         let ((least_u, most_u), (least_v, most_v)) = (ends([a[0], b[0], c[0]]), ends([a[1], b[1], c[1]]));
         let span = above(most_u, least_u).max(above(most_v, least_v));
         let span_log2 = (32 - span.saturating_sub(1).leading_zeros()).saturating_sub(16);
-        Self { least: [least_u, least_v], span_log2 }
+        Self { least: [least_u, least_v], span_log2, octave: false }
     }
 
     /// Where in the box three texels are: 0 to 1 in 31 fraction bits.
     #[inline]
     pub(super) fn parts(&self, texels: [[Attribute; 2]; 3]) -> [[u32; 2]; 3] {
-        let Self { least: [least_u, least_v], span_log2 } = *self;
+        let Self { least: [least_u, least_v], span_log2, .. } = *self;
         let part = |value: Attribute, least: i32| {
             let above = above(value.to_bits(), least);
             if span_log2 > 15 { above >> 1 } else { above << (15 - span_log2) }
@@ -109,21 +117,26 @@ impl TexelBox {
         [parts(a), parts(b), parts(c)]
     }
 
-    /// Three texels over w, for 1/w in 31 fraction bits.
+    /// The box of three texels, and they over w, for 1/w in 31 fraction bits.
+    ///
+    /// In one octave u/w and v/w are kept as far above 0 as interpolation may be off. That is 2^-17 of 1/w at most, and
+    /// with what a reciprocal is too high by, 2^-14 and half a step of 2^-16, a texel is not further off than before: where
+    /// the chord is 2^-14, 1/w is least, and half a step of its reciprocal 2^-17.
     #[inline]
-    pub(super) fn over_w(&self, texels: [[Attribute; 2]; 3], inverses: [i32; 3]) -> [OverW; 3] {
+    pub(super) fn over_w(self, texels: [[Attribute; 2]; 3], inverses: [i32; 3]) -> (Self, [OverW; 3]) {
         let ([a, b, c], [qa, qb, qc]) = (self.parts(texels), inverses);
+        let octave = qa.min(qb).min(qc) >= LEAST_OF_OCTAVE;
+        let least = if octave { MARGIN } else { 0 };
         let vertex = |[u, v]: [u32; 2], q: i32| {
-            let over_w = |part: u32| (product::unsigned(part, q.unsigned_abs()) >> 31) as i32;
+            let over_w = |part: u32| ((product::unsigned(part, q.unsigned_abs()) >> 31) as i32).max(least);
             OverW { q, texel: [over_w(u), over_w(v)] }
         };
-        [vertex(a, qa), vertex(b, qb), vertex(c, qc)]
+        (Self { octave, ..self }, [vertex(a, qa), vertex(b, qb), vertex(c, qc)])
     }
 
     /// Three vertices' 1/w in one power of two, the box, and all of it over w.
     pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
-        let texel_box = Self::new(texels);
-        (texel_box, texel_box.over_w(texels, aligned(inverses)))
+        Self::new(texels).over_w(texels, aligned(inverses))
     }
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.
@@ -132,7 +145,7 @@ impl TexelBox {
         let OverW { q, texel: [u, v] } = at.clamped();
         let q = q.cast_unsigned();
         let shift = recip::normalising(q, shift);
-        let reciprocal = recip::pixel(q << shift);
+        let reciprocal = recip::pixel(q << shift << 1);
         let texel = |c: i32, least: i32| {
             let part = recip::quotient(c.cast_unsigned() << (shift - 1), reciprocal);
             let part = if self.span_log2 > 15 { part << 1 } else { part >> (15 - self.span_log2) };
@@ -152,4 +165,46 @@ pub(super) struct Exact {
     pub(super) shift: u32,
     /// `2^47 / (q << shift)`.
     pub(super) reciprocal: u32,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setup::Setup;
+    use crate::snapped::Snapped;
+
+    // Red with no margin, of 1/w or of u/w and v/w.
+    #[test]
+    fn a_triangle_of_one_octave_keeps_to_it() {
+        let mut state = 1_u64;
+        let mut below = |end: i32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) as i32).rem_euclid(end)
+        };
+        let mut checked = 0;
+        for _ in 0..10_000 {
+            // An edge through centres of pixels where both texels are least and 1/w is, and a third vertex anywhere.
+            let (dx, dy, steps) = (below(8) - 4, below(8) - 4, 1 + below(500));
+            let at = |[x, y]: [i32; 2]| Snapped::from_bits(x * 256 + 128, y * 256 + 128);
+            let corners = [[0, 0], [dx * steps, dy * steps], [below(4000) - 2000, below(4000) - 2000]];
+            let Some((setup, order)) = Setup::new(corners.map(at)) else { continue };
+            let span = Attribute::from_bits(1 + below(64 << 16));
+            let texels = [[Attribute::ZERO; 2], [Attribute::ZERO; 2], [span, span]];
+            let inverses =
+                [LEAST_OF_OCTAVE, LEAST_OF_OCTAVE, LEAST_OF_OCTAVE + below(GREATEST - LEAST_OF_OCTAVE)];
+            let (texel_box, over_w) = TexelBox::new(texels).over_w(texels, inverses);
+            assert!(texel_box.octave);
+            let plane = OverW::plane(&setup.gradients(), order.map(|vertex| over_w[vertex]));
+            let [x, y] = setup.anchor();
+            for step in 0..=steps {
+                let OverW { q, texel: [u, v] } = plane.at(dx * step - x, dy * step - y);
+                assert!(q >= 1 << 30 && u >= 0 && v >= 0, "{corners:?} {span} {inverses:?}: {q:#x} {u} {v}");
+                checked += 1;
+            }
+        }
+        assert!(checked > 1_000_000, "{checked}");
+        let inverses = [LEAST_OF_OCTAVE - 1, GREATEST, GREATEST];
+        let texels = [[Attribute::ZERO; 2]; 3];
+        assert!(!TexelBox::new(texels).over_w(texels, inverses).0.octave);
+    }
 }

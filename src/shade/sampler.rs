@@ -30,7 +30,10 @@ pub trait Sampler<T> {
     #[doc(hidden)]
     #[inline(never)]
     fn octave(&mut self, run: &mut [T], octave: &Octave<'_>, reciprocal: &impl Fn(u32) -> u32) {
-        octave.divided(run, reciprocal, |pixel, column, row| self.show(pixel, column, row));
+        let [least_u, least_v] = octave.texel_box.least;
+        octave.divided(run, reciprocal, |pixel, u, v| {
+            self.show(pixel, least_u.wrapping_add(u), least_v.wrapping_add(v));
+        });
     }
 }
 
@@ -41,18 +44,16 @@ impl<T, F: FnMut(&mut T, i32, i32)> Sampler<T> for F {
     }
 }
 
-/// Pixels whose 1/w has the same leading zeros.
+/// Pixels whose 1/w is in [2^30, 2^31), and whose u/w and v/w are in [0, 2^31).
 #[derive(Clone, Copy, Debug)]
 pub struct Octave<'o> {
     pub(super) texel_box: &'o TexelBox,
     pub(super) start: &'o OverW,
     pub(super) step: &'o OverW,
-    /// The leading zeros.
-    pub(super) shift: u32,
 }
 
 impl Octave<'_> {
-    /// Divides from pixel to pixel.
+    /// Divides from pixel to pixel: columns and rows from the box's least on.
     #[inline(always)]
     fn divided<T>(
         &self,
@@ -60,14 +61,18 @@ impl Octave<'_> {
         reciprocal: impl Fn(u32) -> u32,
         mut show: impl FnMut(&mut T, i32, i32),
     ) {
-        let ([mut q, mut u, mut v], [dq, du, dv]) = (self.start.up(self.shift), self.step.up(self.shift));
-        let ([least_u, least_v], down) = (self.texel_box.least, 31 - self.texel_box.span_log2);
+        let (OverW { q, texel: [u, v] }, OverW { q: dq, texel: [du, dv] }) = (*self.start, *self.step);
+        // What follows the leading one.
+        let (mut q, dq) = (q.cast_unsigned() << 2, dq.cast_unsigned() << 2);
+        let (mut u, mut v, du, dv) =
+            (u.cast_unsigned(), v.cast_unsigned(), du.cast_unsigned(), dv.cast_unsigned());
+        let down = 31 - self.texel_box.span_log2;
         for pixel in run {
             // As below.
             core::hint::black_box(());
             let reciprocal = reciprocal(q);
             let part = |c: u32| (recip::quotient(c, reciprocal) >> (down & 31)).cast_signed();
-            show(pixel, least_u.wrapping_add(part(u)), least_v.wrapping_add(part(v)));
+            show(pixel, part(u), part(v));
             q = q.wrapping_add(dq);
             u = u.wrapping_add(du);
             v = v.wrapping_add(dv);
@@ -138,8 +143,8 @@ impl<P, D: Paint<P>> Sampler<P> for Painted<'_, D> {
         let Self { texture, paint } = self;
         match texture.wrap() {
             Wrap::Repeat => {
-                let Some(repeated) = Repeated::new(texture) else { return };
-                steps(run, start, step, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
+                let Some(repeated) = Repeated::new(texture, [0; 2]) else { return };
+                steps(run, start, step, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v & 0xFFFF)));
             }
             Wrap::Clamp => steps(run, start, step, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v))),
         }
@@ -150,11 +155,14 @@ impl<P, D: Paint<P>> Sampler<P> for Painted<'_, D> {
         let Self { texture, paint } = self;
         match texture.wrap() {
             Wrap::Repeat => {
-                let Some(repeated) = Repeated::new(texture) else { return };
+                let Some(repeated) = Repeated::new(texture, octave.texel_box.least) else { return };
                 octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, repeated.texel(u, v)));
             }
             Wrap::Clamp => {
-                octave.divided(run, reciprocal, |pixel, u, v| paint.paint(pixel, texture.clamped(u, v)));
+                let [least_u, least_v] = octave.texel_box.least;
+                octave.divided(run, reciprocal, |pixel, u, v| {
+                    paint.paint(pixel, texture.clamped(least_u.wrapping_add(u), least_v.wrapping_add(v)));
+                });
             }
         }
     }
@@ -163,26 +171,67 @@ impl<P, D: Paint<P>> Sampler<P> for Painted<'_, D> {
 /// A texture that repeats.
 struct Repeated<'t> {
     texels: &'t [u16],
-    /// What is left of a column.
-    columns: u32,
-    width_log2: u32,
+    /// 32 less the power of two that the width is: 0 for one column, which is 0 then.
+    above: u32,
+    /// Where columns and rows begin, as `texel` puts them together.
+    corner: i32,
 }
 
 impl<'t> Repeated<'t> {
-    /// Of a texture, which has at least one texel: said here, it need not be asked for each.
+    /// Of a texture, which has at least one texel: said here, it need not be asked for each. Columns and rows count from
+    /// the texel in these.
     #[inline(always)]
-    fn new(texture: &Texture<'t>) -> Option<Self> {
-        let ([width_log2, _], columns) = (texture.sizes_log2(), u32::from(texture.width()) - 1);
-        let texels = texture.texels();
-        if texels.is_empty() { None } else { Some(Self { texels, columns, width_log2: width_log2.into() }) }
+    fn new(texture: &Texture<'t>, [column, row]: [i32; 2]) -> Option<Self> {
+        let ([width_log2, _], texels) = (texture.sizes_log2(), texture.texels());
+        let above = u32::from(width_log2).wrapping_neg() & 31;
+        // Heights divide 2^16.
+        let corner = (column << above).wrapping_add(row & 0xFFFF);
+        if texels.is_empty() { None } else { Some(Self { texels, above, corner }) }
     }
 
+    /// The texel in a column and a row, the row from 0 to 2^16: what is left of the column stands above the rows, 22 bits
+    /// or more, and is turned below them. So both are moved by one addition.
     #[inline(always)]
     fn texel(&self, column: i32, row: i32) -> u16 {
-        let column = column.cast_unsigned() & self.columns;
-        let index = column | row.cast_unsigned() << (self.width_log2 & 31);
+        let both = (column << self.above | row).wrapping_add(self.corner);
+        let index = both.cast_unsigned().rotate_right(self.above);
         // The mask is one less than the length, a power of two: no test of the index is left.
         let index = index as usize & self.texels.len().wrapping_sub(1);
         self.texels.get(index).copied().unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a column reaches a row, the other way round, or the corner is left out.
+    #[test]
+    fn a_repeated_texel_is_the_textures_own() {
+        let texels: [u16; 1 << 14] = core::array::from_fn(|i| i as u16);
+        for (width_log2, height_log2) in [(0, 0), (0, 10), (10, 0), (1, 3), (4, 10), (10, 4)] {
+            let texture =
+                Texture::new(1 << width_log2, 1 << height_log2, &texels[..1 << (width_log2 + height_log2)]);
+            let texture = texture.unwrap();
+            // Of one column, it is 0.
+            let columns =
+                if width_log2 == 0 { &[0][..] } else { &[-32_768, -1_025, -1, 0, 1, 1_023, 1_024, 32_767] };
+            for &column in columns {
+                for row in [0, 1, 2, 1_023, 1_024, 32_767, 65_535, 65_536] {
+                    let repeated = Repeated::new(&texture, [0; 2]).unwrap();
+                    assert_eq!(repeated.texel(column, row), texture.repeated(column, row), "{column} {row}");
+                    for corner in [-32_768, -1, 1, 1_023, 32_767] {
+                        let repeated =
+                            Repeated::new(&texture, [if width_log2 == 0 { 0 } else { corner }, corner]);
+                        let expected = texture.repeated(column + corner, row + corner);
+                        assert_eq!(
+                            repeated.unwrap().texel(column, row),
+                            expected,
+                            "{corner}: {column} {row}"
+                        );
+                    }
+                }
+            }
+        }
     }
 }

@@ -74,6 +74,15 @@ fn texel(texture: &Texture<'_>, mesh: &Mesh<'_>, vertex: usize) -> [Attribute; 2
     [scaled(u, width), scaled(v, height)]
 }
 
+/// Three texels as they are drawn: of one column, all are in it, as the sampler has it.
+#[inline(always)]
+fn columns(texture: &Texture<'_>, texels: [[Attribute; 2]; 3]) -> [[Attribute; 2]; 3] {
+    let mask = if texture.width() == 1 { 0 } else { !0 };
+    let column = |u: Attribute| Attribute::from_bits(u.to_bits() & mask);
+    let [[au, av], [bu, bv], [cu, cv]] = texels;
+    [[column(au), av], [column(bu), bv], [column(cu), cv]]
+}
+
 impl<'a, P: Pixel, C: Correction> Shader<'a, P> for Textured<'a, C> {
     type Pixel = Self;
     type Local = ();
@@ -115,7 +124,8 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         vertices: [[Attribute; 2]; 3],
         inverses: [PerVertexInverse; 3],
     ) -> (C::Triangle, [C::Varying; 3]) {
-        self.correction.triangle(vertices, inverses, self.texture.sizes_log2())
+        let texels = columns(&self.texture, vertices);
+        self.correction.triangle(texels, inverses, self.texture.sizes_log2())
     }
 
     #[inline]
@@ -128,7 +138,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     ) -> D::Output {
         let Self { texture, correction } = *self;
         let onto = OntoTexels { texture, onto, pixel: PhantomData::<P> };
-        correction.choose(vertices, inverses, texture.sizes_log2(), onto)
+        correction.choose(columns(&texture, vertices), inverses, texture.sizes_log2(), onto)
     }
 
     #[inline(always)]
@@ -140,9 +150,15 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         run: Run<'_, P, D>,
     ) {
         run.visible(|skipped, pixels| {
-            self.walk(triangle, start.plus(step.times(skipped)), step, pixels, Plain);
+            self.walk(triangle, after(start, step, skipped), step, pixels, Plain);
         });
     }
+}
+
+/// What is linear, so many pixels after its start: at most runs' first pixel it is the start.
+#[inline(always)]
+fn after<V: Varying>(start: V, step: &V, pixels: i32) -> V {
+    if pixels == 0 { start } else { start.plus(step.times(pixels)) }
 }
 
 /// Where a triangle of a texture is drawn, by whichever method.
@@ -245,7 +261,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         inverses: [PerVertexInverse; 3],
     ) -> (C::Triangle, [(C::Varying, Attribute); 3]) {
         let (triangle, texels) = self.0.correction.triangle(
-            vertices.map(|vertex| vertex.0),
+            columns(&self.0.texture, vertices.map(|vertex| vertex.0)),
             inverses,
             self.0.texture.sizes_log2(),
         );
@@ -263,7 +279,8 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         let Self(Textured { texture, correction }) = *self;
         let plain = OntoTexels { texture, onto, pixel: PhantomData::<P> };
         let onto = OntoLit { plain, light: vertices.map(|vertex| vertex.1) };
-        correction.choose(vertices.map(|vertex| vertex.0), inverses, texture.sizes_log2(), onto)
+        let texels = columns(&texture, vertices.map(|vertex| vertex.0));
+        correction.choose(texels, inverses, texture.sizes_log2(), onto)
     }
 
     #[inline(always)]
@@ -275,8 +292,32 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
         run: Run<'_, P, D>,
     ) {
         run.visible(|skipped, pixels| {
-            let (start, light) = start.plus(step.times(skipped));
+            let (start, light) = after(start, step, skipped);
             self.0.walk(triangle, start, &step.0, pixels, Lit(light, step.1));
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::pixelcolor::Rgb565;
+
+    use super::*;
+    use crate::math::recip;
+    use crate::shade::Affine;
+
+    // Red when a texture of one column has others, in a triangle set up by itself.
+    #[test]
+    fn one_column_repeats() {
+        let texels = [1, 2, 3, 4];
+        let shader = Textured::new(&Texture::new(1, 4, &texels).unwrap(), Affine);
+        let at = |u: i32, v: i32| [u, v].map(Attribute::from_num);
+        let vertices = [at(7, -1), at(-2, 0), at(9, 5)];
+        let inverses = [PerVertexInverse::new(recip::vertex(1)); 3];
+        let ((), varyings) = PixelShader::<Rgb565>::triangle(&shader, [0; 3], vertices, inverses);
+        let step = varyings[1].plus(varyings[0].times(-1));
+        let mut colours = [Rgb565::from_texel(0); 6];
+        shader.shade(&(), varyings[0], &step, Run::new(&mut colours));
+        assert_eq!(colours, [4, 1, 2, 3, 4, 1].map(Rgb565::from_texel));
     }
 }

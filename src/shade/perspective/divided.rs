@@ -95,8 +95,9 @@ impl<D: Divide> Correction for Divided<D> {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     ) {
-        // (2^32 - 1) / (x / 2^15), the denominator from 2^16 up to 2^17: never 0, and 2^16 at most.
-        let reciprocal = |x: u32| D::divide(u32::MAX, NonZeroU32::new(x >> 15).unwrap_or(NonZeroU32::MIN));
+        // (2^32 - 1) / (2^16 + x / 2^16), the denominator from 2^16 up to 2^17: never 0, and 2^16 at most.
+        let reciprocal =
+            |x: u32| D::divide(u32::MAX, NonZeroU32::new(x >> 16 | 1 << 16).unwrap_or(NonZeroU32::MIN));
         reciprocals(triangle, start, step, run, reciprocal, sampler);
     }
 }

@@ -53,12 +53,29 @@ impl Correction for PerPixel {
     }
 }
 
-/// Divides by 1/w at each pixel: `reciprocal` is `2^47 / x` for x in [2^31, 2^32).
+/// Divides by 1/w at each pixel: `reciprocal` is `2^16 / (1 + x 2^-32)`.
 ///
-/// What a pixel shows depends on its own 1/w, u/w and v/w alone. The shift that normalises 1/w is sought once for as
-/// many pixels as share it: between two that do, all do, as 1/w is linear.
+/// What a pixel shows depends on its own 1/w, u/w and v/w alone. Most triangles lie in one octave of 1/w.
 #[inline(always)]
 pub(super) fn reciprocals<T>(
+    texel_box: &TexelBox,
+    start: OverW,
+    step: &OverW,
+    run: &mut [T],
+    reciprocal: impl Fn(u32) -> u32,
+    sampler: &mut impl Sampler<T>,
+) {
+    if texel_box.octave {
+        sampler.octave(run, &Octave { texel_box, start: &start, step }, &reciprocal);
+    } else {
+        octaves(texel_box, start, step, run, reciprocal, sampler);
+    }
+}
+
+/// Divides at each pixel of a run of more than one octave. The shift that normalises 1/w is sought once for as many pixels
+/// as share it: between two that do, all do, as 1/w is linear.
+#[inline(never)]
+fn octaves<T>(
     texel_box: &TexelBox,
     start: OverW,
     step: &OverW,
@@ -76,7 +93,7 @@ pub(super) fn reciprocals<T>(
         // Alone, a pixel may lie outside of its range.
         let from = if pixels == 1 { at.clamped() } else { at };
         shift = recip::normalising(from.q.cast_unsigned(), shift);
-        let octave = Octave { texel_box, start: &from, step, shift };
+        let octave = Octave { texel_box, start: &from.up(shift - 1), step: &step.up(shift - 1) };
         sampler.octave(now, &octave, &reciprocal);
         if later.is_empty() {
             return;
