@@ -117,14 +117,13 @@ impl TexelBox {
         [parts(a), parts(b), parts(c)]
     }
 
-    /// The box of three texels, and they over w, for 1/w in 31 fraction bits.
+    /// The box, and three texels over w, by where in the box they are, and 1/w in 31 fraction bits.
     ///
     /// In one octave u/w and v/w are kept as far above 0 as interpolation may be off. That is 2^-17 of 1/w at most, and
     /// with what a reciprocal is too high by, 2^-14 and half a step of 2^-16, a texel is not further off than before: where
     /// the chord is 2^-14, 1/w is least, and half a step of its reciprocal 2^-17.
     #[inline]
-    pub(super) fn over_w(self, texels: [[Attribute; 2]; 3], inverses: [i32; 3]) -> (Self, [OverW; 3]) {
-        let ([a, b, c], [qa, qb, qc]) = (self.parts(texels), inverses);
+    pub(super) fn over_w(self, [a, b, c]: [[u32; 2]; 3], [qa, qb, qc]: [i32; 3]) -> (Self, [OverW; 3]) {
         let octave = qa.min(qb).min(qc) >= LEAST_OF_OCTAVE;
         let least = if octave { MARGIN } else { 0 };
         let vertex = |[u, v]: [u32; 2], q: i32| {
@@ -136,7 +135,8 @@ impl TexelBox {
 
     /// Three vertices' 1/w in one power of two, the box, and all of it over w.
     pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
-        Self::new(texels).over_w(texels, aligned(inverses))
+        let texel_box = Self::new(texels);
+        texel_box.over_w(texel_box.parts(texels), aligned(inverses))
     }
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.
@@ -192,7 +192,8 @@ mod tests {
             let texels = [[Attribute::ZERO; 2], [Attribute::ZERO; 2], [span, span]];
             let inverses =
                 [LEAST_OF_OCTAVE, LEAST_OF_OCTAVE, LEAST_OF_OCTAVE + below(GREATEST - LEAST_OF_OCTAVE)];
-            let (texel_box, over_w) = TexelBox::new(texels).over_w(texels, inverses);
+            let texel_box = TexelBox::new(texels);
+            let (texel_box, over_w) = texel_box.over_w(texel_box.parts(texels), inverses);
             assert!(texel_box.octave);
             let plane = OverW::plane(&setup.gradients(), order.map(|vertex| over_w[vertex]));
             let [x, y] = setup.anchor();
@@ -205,6 +206,7 @@ mod tests {
         assert!(checked > 1_000_000, "{checked}");
         let inverses = [LEAST_OF_OCTAVE - 1, GREATEST, GREATEST];
         let texels = [[Attribute::ZERO; 2]; 3];
-        assert!(!TexelBox::new(texels).over_w(texels, inverses).0.octave);
+        let texel_box = TexelBox::new(texels);
+        assert!(!texel_box.over_w(texel_box.parts(texels), inverses).0.octave);
     }
 }

@@ -3,7 +3,7 @@
 use super::super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
 use super::subspans::{differences, subspans};
-use super::{Affine, Correction, DrawTexels, Sampler};
+use super::{Affine, Correction, DrawTexels, PerPixel, Sampler};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
 use crate::transform::PerVertexInverse;
@@ -92,7 +92,8 @@ impl Correction for Within {
         inverses: [PerVertexInverse; 3],
         _: [u8; 2],
     ) -> (Bent, [OverW; 3]) {
-        self.bent(TexelBox::new(texels), texels, aligned(inverses))
+        let texel_box = TexelBox::new(texels);
+        self.bent(texel_box, texel_box.parts(texels), aligned(inverses))
     }
 
     #[inline]
@@ -104,11 +105,17 @@ impl Correction for Within {
         onto: D,
     ) -> D::Output {
         let (texel_box, q) = (TexelBox::new(texels), aligned(inverses));
-        if self.may_be_affine(&texel_box, &mut texels, q, sizes_log2) {
+        let Some(parts) = self.not_affine(&texel_box, &mut texels, q, sizes_log2) else {
             return onto.draw(Affine, (), texels);
+        };
+        let (triangle, varyings) = self.bent(texel_box, parts, q);
+        let Bent { texel_box, between } = triangle;
+        // What subspans cannot keep, runs need not be asked.
+        if between == 0 {
+            onto.draw(PerPixel, texel_box, varyings)
+        } else {
+            onto.draw(self, triangle, varyings)
         }
-        let (triangle, varyings) = self.bent(texel_box, texels, q);
-        onto.draw(self, triangle, varyings)
     }
 
     #[inline(always)]
@@ -121,10 +128,9 @@ impl Correction for Within {
         sampler: &mut impl Sampler<T>,
     ) {
         let Bent { texel_box, between } = triangle;
-        if run.len() < WORTH_SUBSPANS || *between == 0 {
-            one_by_one(texel_box, start, step, run, sampler);
-        } else {
-            bent(texel_box, *between, start, step, run, sampler);
+        let long = run.len() >= WORTH_SUBSPANS;
+        if !(long && by_subspans(texel_box, *between, &start, step, run, sampler)) {
+            reciprocals(texel_box, start, step, run, recip::pixel, sampler);
         }
     }
 }
@@ -133,56 +139,44 @@ impl Correction for Within {
 /// cycles, and 34 a pixel.
 const WORTH_SUBSPANS: usize = 18;
 
-/// A run of a triangle that is not affine, of [`WORTH_SUBSPANS`] pixels or more.
+/// A run of [`WORTH_SUBSPANS`] pixels or more, whose middle may be off by `between`: whether it could be shown by subspans.
 #[inline(never)]
-fn bent<T>(
+fn by_subspans<T>(
     texel_box: &TexelBox,
     between: u32,
-    start: OverW,
+    start: &OverW,
     step: &OverW,
     run: &mut [T],
     sampler: &mut impl Sampler<T>,
-) {
+) -> bool {
     let steps = run.len().saturating_sub(1);
-    let first = texel_box.texel(&start, 1);
+    let first = texel_box.texel(start, 1);
     let last = texel_box.texel(&start.plus(step.times(steps as i32)), first.shift);
-    if let Some(log2) = length(texel_box, between, steps as u32, &first, &last) {
-        return subspans(texel_box, log2, (start, step), [&first, &last], run, sampler);
-    }
-    one_by_one(texel_box, start, step, run, sampler);
-}
-
-/// A run of pixels of which each has its reciprocal.
-#[inline(never)]
-fn one_by_one<T>(
-    texel_box: &TexelBox,
-    start: OverW,
-    step: &OverW,
-    run: &mut [T],
-    sampler: &mut impl Sampler<T>,
-) {
-    reciprocals(texel_box, start, step, run, recip::pixel, sampler);
+    let Some(log2) = length(texel_box, between, steps as u32, &first, &last) else { return false };
+    subspans(texel_box, log2, (*start, step), [&first, &last], run, sampler);
+    true
 }
 
 impl Within {
     #[inline(never)]
-    fn bent(self, texel_box: TexelBox, texels: [[Attribute; 2]; 3], q: [i32; 3]) -> (Bent, [OverW; 3]) {
-        let (texel_box, over_w) = texel_box.over_w(texels, q);
+    fn bent(self, texel_box: TexelBox, parts: [[u32; 2]; 3], q: [i32; 3]) -> (Bent, [OverW; 3]) {
+        let (texel_box, over_w) = texel_box.over_w(parts, q);
         (Bent { texel_box, between: self.between(&texel_box) }, over_w)
     }
 
-    /// Whether a triangle may be affine: its texels are moved as far as that takes.
+    /// Where in the box the texels of a triangle are that may not be affine. Nothing where it may: its texels are moved as
+    /// far as that takes.
     #[inline(never)]
-    fn may_be_affine(
+    fn not_affine(
         self,
         texel_box: &TexelBox,
         texels: &mut [[Attribute; 2]; 3],
         [qa, qb, qc]: [i32; 3],
         sizes_log2: [u8; 2],
-    ) -> bool {
+    ) -> Option<[[u32; 2]; 3]> {
         let span_log2 = texel_box.span_log2;
         if (qa == qb && qb == qc) || self.error >> span_log2 >= 1 << 16 {
-            return true;
+            return None;
         }
         // All in 15 fraction bits: 1/w, and parts of the box.
         let [qa, qb, qc] = [qa >> 16, qb >> 16, qc >> 16];
@@ -195,9 +189,10 @@ impl Within {
         let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
         // Most small triangles: no edge has more of either.
         if bend.bears((most - least).unsigned_abs() << 15) {
-            return true;
+            return None;
         }
-        let [a, b, c] = texel_box.parts(*texels).map(|part| part.map(|part| (part >> 16).cast_signed()));
+        let parts = texel_box.parts(*texels);
+        let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
         let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
         let along = |a: i32, b: i32, c: i32| {
             let edges = [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
@@ -206,11 +201,11 @@ impl Within {
         };
         let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
         let [width, height] = sizes_log2;
-        let Some(u) = bend.moved([a[0], b[0], c[0]], along(au, bu, cu), width) else { return false };
-        let Some(v) = bend.moved([a[1], b[1], c[1]], along(av, bv, cv), height) else { return false };
+        let Some(u) = bend.moved([a[0], b[0], c[0]], along(au, bu, cu), width) else { return Some(parts) };
+        let Some(v) = bend.moved([a[1], b[1], c[1]], along(av, bv, cv), height) else { return Some(parts) };
         let ([au, bu, cu], [av, bv, cv]) = (u, v);
         *texels = [[au, av], [bu, bv], [cu, cv]].map(|texel| texel.map(Attribute::from_bits));
-        true
+        None
     }
 
     /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; 2^-16 of U
@@ -277,7 +272,14 @@ fn length(texel_box: &TexelBox, between: u32, steps: u32, first: &Exact, last: &
         return Some(5);
     }
     let square = steps.min(1 << 15) * steps.min(1 << 15);
-    (3..=5).rev().find(|log2| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1))
+    let suits = |log2: u32| error <= allowed * (square >> (2 * log2)).min((1 << 16) - 1);
+    if !suits(3) {
+        None
+    } else if suits(5) {
+        Some(5)
+    } else {
+        Some(if suits(4) { 4 } else { 3 })
+    }
 }
 
 /// Four times the error of a whole run that is linear from one end to the other: in 12 fraction bits, rounded up. Nothing
