@@ -69,8 +69,20 @@ static PIXEL: [u32; 64] = {
 /// What the low half adds to the high one is less than a 64th of its step.
 #[inline(always)]
 pub(crate) fn pixel(x: u32) -> u32 {
+    pixel_of(&PIXEL, x)
+}
+
+/// The same for many: where the table is, is kept. A core that makes an address of two halves would do that for each.
+#[inline(always)]
+pub(crate) fn pixels() -> impl Fn(u32) -> u32 {
+    let table = if product::NARROW { &PIXEL } else { core::hint::black_box(&PIXEL) };
+    move |x| pixel_of(table, x)
+}
+
+#[inline(always)]
+fn pixel_of(table: &[u32; 64], x: u32) -> u32 {
     // The index is below 64: this is for the compiler, which then needs no panic path.
-    let word = PIXEL.get((x >> 26) as usize).copied().unwrap_or_default();
+    let word = table.get((x >> 26) as usize).copied().unwrap_or_default();
     (word - (word & 0xFFFF) * (x >> 10)) >> 16
 }
 

@@ -49,7 +49,7 @@ impl Correction for PerPixel {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     ) {
-        reciprocals(triangle, start, step, run, recip::pixel, sampler);
+        reciprocals(triangle, start, step, run, recip::pixels(), sampler);
     }
 }
 

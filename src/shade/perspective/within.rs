@@ -130,7 +130,7 @@ impl Correction for Within {
         let Bent { texel_box, between } = triangle;
         let long = run.len() >= WORTH_SUBSPANS;
         if !(long && by_subspans(texel_box, *between, &start, step, run, sampler)) {
-            reciprocals(texel_box, start, step, run, recip::pixel, sampler);
+            reciprocals(texel_box, start, step, run, recip::pixels(), sampler);
         }
     }
 }
