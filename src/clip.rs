@@ -33,10 +33,10 @@ pub(crate) struct Outcode(pub(crate) u8);
 impl Outcode {
     #[inline]
     pub(crate) fn new(at: &Position, projection: &Projection) -> Self {
-        let mut code = 0;
         if projection.surely_inside(at) {
-            return Self(code);
+            return Self(0);
         }
+        let mut code = 0;
         let distances = distances(at, projection);
         for (plane, distance) in distances.into_iter().enumerate() {
             code |= u8::from(distance < 0) << plane;

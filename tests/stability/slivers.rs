@@ -239,7 +239,7 @@ pub(crate) fn needles() -> Worst {
     worst
 }
 
-// Red as above, and when both gradients do not share one reciprocal of the area: `Gradients::quotient`.
+// Red as above, and when both gradients do not share one reciprocal of the area: `Area::quotient`.
 #[test]
 fn row_8_a_plane_from_the_corner_cancels_on_a_needle() {
     let worst = needles();
