@@ -3,6 +3,7 @@
 //! [`Attributes`] are a few [`Words`] of a list, mixed where an edge is clipped.
 
 use crate::math::format::Attribute;
+use crate::math::product;
 
 /// How far a clipped vertex lies from the inner end of its edge: 0 to 1 in 30 fraction bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,8 +12,8 @@ pub struct Fraction(pub(crate) i32);
 impl Fraction {
     /// `from` at 0 and `to` at 1, rounded to nearest.
     #[inline(never)]
-    pub const fn mix(self, from: i32, to: i32) -> i32 {
-        let product = (to as i64 - from as i64) * self.0 as i64;
+    pub fn mix(self, from: i32, to: i32) -> i32 {
+        let product = product::signed(to, self.0) - product::signed(from, self.0);
         from.wrapping_add(((product + (1 << 29)) >> 30) as i32)
     }
 }

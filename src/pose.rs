@@ -79,33 +79,31 @@ impl Pose {
 
     /// Where a point of the mesh stands in the scene, rounded to nearest.
     pub fn apply(&self, point: [Length; 3]) -> [Length; 3] {
-        let point = point.map(|c| scaled(c, self.scale));
-        let turned = self.rotation.map(|row| dot(row, point));
-        let [x, y, z] = turned;
+        let point = point.map(|c| scaled(c, self.scale).to_bits());
+        let [x, y, z] = &self.rotation;
         let [px, py, pz] = self.position;
-        [x.saturating_add(px), y.saturating_add(py), z.saturating_add(pz)]
+        let moved = |row, by: Length| by.saturating_add(Length::from_bits(dot(row, &point)));
+        [moved(x, px), moved(y, py), moved(z, pz)]
     }
 
     /// A direction of the scene as the mesh sees it, before its turns: the rotation backwards.
     ///
     /// `direction` has 30 fraction bits and length 1, and so has the result.
     pub(crate) fn to_model(self, direction: [i32; 3]) -> [i32; 3] {
-        let [x, y, z] = direction.map(i64::from);
-        let [r0, r1, r2] = self.rotation.map(|row| row.map(|c| i64::from(c.to_bits())));
-        let column = |a: i64, b: i64, c: i64| ((a * x + b * y + c * z + (1 << 29)) >> 30) as i32;
-        [column(r0[0], r1[0], r2[0]), column(r0[1], r1[1], r2[1]), column(r0[2], r1[2], r2[2])]
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
+        [[a, d, g], [b, e, h], [c, f, i]].map(|column| dot(&column, &direction))
     }
 
     /// The matrix from the cube of a mesh, ±1, that has `half` its edge and this `centre`, to the scene.
     pub(crate) fn of_box(&self, centre: [Length; 3], half: Length) -> Matrix {
         let scale = scaled(half, self.scale).to_bits();
         let ([x, y, z], [r0, r1, r2]) = (self.apply(centre), self.rotation);
-        let rows = [(r0, x), (r1, y), (r2, z), ([I2F30::ZERO; 3], Length::ONE)];
-        let wide = rows.map(|(row, moved)| {
-            // 14 fraction bits of the rotation are dropped: 32 are left, 16 of them from the scale.
-            let [a, b, c] = row.map(|c| product::signed(c.to_bits(), scale) >> 14);
-            [a, b, c, i64::from(moved.to_bits()) << 16]
-        });
+        let wide = [
+            scaled_row(r0, scale, x),
+            scaled_row(r1, scale, y),
+            scaled_row(r2, scale, z),
+            scaled_row([I2F30::ZERO; 3], scale, Length::ONE),
+        ];
         Matrix::normalised(wide, 32)
     }
 }
@@ -115,35 +113,47 @@ type Row = [I2F30; 3];
 /// A length times the pose's scale, rounded down.
 #[inline(never)]
 fn scaled(length: Length, scale: Length) -> Length {
-    length_of(product::signed(length.to_bits(), scale.to_bits()) >> 16)
+    Length::from_bits(saturated(product::signed(length.to_bits(), scale.to_bits()) >> 16))
 }
 
-/// A number of steps as a length, or the nearest length.
-fn length_of(steps: i64) -> Length {
-    Length::from_bits(steps.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32)
+/// A row of a rotation times a scale, and how far it is moved, in 32 fraction bits: 14 of the rotation are dropped, and 16
+/// come with the scale.
+#[inline(never)]
+fn scaled_row(row: Row, scale: i32, moved: Length) -> [i64; 4] {
+    let [a, b, c] = row.map(|c| product::signed(c.to_bits(), scale) >> 14);
+    [a, b, c, i64::from(moved.to_bits()) << 16]
+}
+
+/// A number of steps, or the nearest of 32 bits.
+fn saturated(steps: i64) -> i32 {
+    steps.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }
 
 /// Two rows of a rotation, turned from the first towards the second; rounded to nearest.
 fn rotated(turn: Turn, from: Row, to: Row) -> (Row, Row) {
-    let (sin, cos) = (i64::from(turn.sin()), i64::from(turn.cos()));
-    let mix = |u: i64, v: i64| {
-        let [a0, a1, a2] = from.map(|c| i64::from(c.to_bits()) * u);
-        let [b0, b1, b2] = to.map(|c| i64::from(c.to_bits()) * v);
-        let sum = |a: i64, b: i64| I2F30::from_bits(((a + b + (1 << 29)) >> 30) as i32);
-        [sum(a0, b0), sum(a1, b1), sum(a2, b2)]
-    };
+    let (sin, cos) = (turn.sin(), turn.cos());
+    let ([a, b, c], [d, e, f]) = (from, to);
+    let mix = |u: i32, v: i32| [mixed(a, u, d, v), mixed(b, u, e, v), mixed(c, u, f, v)];
     (mix(cos, -sin), mix(sin, cos))
 }
 
+/// `a u + b v`, rounded to nearest.
+#[inline(never)]
+fn mixed(a: I2F30, u: i32, b: I2F30, v: i32) -> I2F30 {
+    let sum = product::signed(a.to_bits(), u) + product::signed(b.to_bits(), v);
+    I2F30::from_bits(((sum + (1 << 29)) >> 30) as i32)
+}
+
 /// Rounded to nearest. Of each product, a step of the result and what is below it are added up apart: neither sum wraps.
-fn dot(row: Row, vector: [Length; 3]) -> Length {
+#[inline(never)]
+fn dot(row: &Row, vector: &[i32; 3]) -> i32 {
     let (mut steps, mut below) = (0, 1 << 29);
-    for (r, v) in row.into_iter().zip(vector) {
-        let product = product::signed(r.to_bits(), v.to_bits());
+    for (r, &v) in row.iter().zip(vector) {
+        let product = product::signed(r.to_bits(), v);
         steps += product >> 30;
         below += product as u32 & ((1 << 30) - 1);
     }
-    length_of(steps + i64::from(below >> 30))
+    saturated(steps + i64::from(below >> 30))
 }
 
 impl Default for Pose {

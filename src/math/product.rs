@@ -16,14 +16,7 @@ pub(crate) fn unsigned(a: u32, b: u32) -> u64 {
 /// `a * b`, signed.
 #[inline(always)]
 pub(crate) fn signed(a: i32, b: i32) -> i64 {
-    if NARROW {
-        let product = unsigned(a.cast_unsigned(), b.cast_unsigned());
-        // What a sign bit counts too much as a bit of 2^31.
-        let high = ((a >> 31) & b).wrapping_add((b >> 31) & a);
-        (product.wrapping_sub(u64::from(high.cast_unsigned()) << 32)).cast_signed()
-    } else {
-        i64::from(a) * i64::from(b)
-    }
+    if NARROW { signed_by_halves(a, b) } else { i64::from(a) * i64::from(b) }
 }
 
 /// `(a * b + rounding) / 2^16` modulo 2^32, for a `b` of at most 2^16 and a rounding of less.
@@ -73,6 +66,14 @@ fn by_halves(a: u32, b: u32) -> u64 {
     let (low, up) = (a_low * b_low).overflowing_add(middle << 16);
     let high = a_high * b_high + (middle >> 16) + (u32::from(carry) << 16) + u32::from(up);
     u64::from(high) << 32 | u64::from(low)
+}
+
+#[inline(never)]
+fn signed_by_halves(a: i32, b: i32) -> i64 {
+    let product = by_halves(a.cast_unsigned(), b.cast_unsigned());
+    // What a sign bit counts too much as a bit of 2^31.
+    let high = ((a >> 31) & b).wrapping_add((b >> 31) & a);
+    product.wrapping_sub(u64::from(high.cast_unsigned()) << 32).cast_signed()
 }
 
 #[cfg(test)]

@@ -140,7 +140,7 @@ fn newton(normalised: u32) -> u32 {
 /// `2^62 / (a << shift)` to the last bit or two, of the doubled area's 32 leading bits. A zero counts as one.
 ///
 /// `shift` is negative where the area has more than 32 bits; it is rounded to nearest there.
-#[inline]
+#[inline(never)]
 pub(crate) fn area(area2: u64) -> (u32, i32) {
     let low = (area2 as u32).max(1);
     // Most triangles have less than 2^16 px²: no shift of 64 bits for those.
@@ -185,11 +185,14 @@ pub(crate) fn normalise(vector: [i32; 3]) -> [i32; 3] {
     let largest = vector.iter().fold(0, |most, c| most.max(c.unsigned_abs()));
     let Some(zeros) = largest.checked_ilog2().map(|bits| 30 - bits as i32) else { return [0; 3] };
     // 30 bits a component: the squares of three fit.
-    let scaled = vector.map(|c| if zeros >= 0 { i64::from(c) << zeros } else { i64::from(c) >> -zeros });
-    let squares = scaled.iter().fold(0_u64, |sum, c| sum + (c * c) as u64);
-    let length = root(squares).max(1);
-    let inverse = vertex_of_length(length);
-    scaled.map(|c| ((c * inverse + (1 << 31)) >> 32) as i32)
+    let scaled = vector.map(|c| if zeros >= 0 { c << zeros } else { c >> -zeros });
+    let squares = scaled.iter().fold(0, |sum, &c| sum + product::signed(c, c).unsigned_abs());
+    // 2^62 / length, for a length in [2^30, 2^32): a vector with a component in [2^30, 2^31).
+    let (mantissa, shift) = area(root(squares).max(1));
+    scaled.map(|c| {
+        let size = (product::unsigned(c.unsigned_abs(), mantissa) << shift.clamp(0, 1)).cast_signed();
+        (((if c < 0 { -size } else { size }) + (1 << 31)) >> 32) as i32
+    })
 }
 
 /// The square root, rounded down: bit by bit, once a normal. The one of `core` links a division of 64 bits.
@@ -204,12 +207,6 @@ fn root(square: u64) -> u64 {
         }
     }
     root
-}
-
-/// `2^62 / length` for a length in [2^30, 2^32): a vector with a component in [2^30, 2^31).
-fn vertex_of_length(length: u64) -> i64 {
-    let (mantissa, shift) = area(length);
-    i64::from(mantissa) << shift.clamp(0, 1)
 }
 
 #[cfg(test)]

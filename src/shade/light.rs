@@ -1,6 +1,7 @@
 //! Ambient and directional light on diffuse materials, in code values: no gamma.
 
 use crate::math::format::Length;
+use crate::math::product;
 use crate::math::recip::normalise;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
@@ -150,17 +151,18 @@ impl LocalSun {
 /// is linked.
 #[inline(never)]
 fn plane_normal(mesh: &Mesh<'_>, face: usize) -> Option<[i8; 3]> {
-    let corner = |index: u16| mesh.positions().get(usize::from(index)).map(|p| p.map(i64::from));
+    let corner = |index: u16| mesh.positions().get(usize::from(index)).map(|p| p.map(i32::from));
     let [a, b, c] = mesh.faces().get(face).copied()?;
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (corner(a)?, corner(b)?, corner(c)?);
     let (ux, uy, uz) = (bx - ax, by - ay, bz - az);
     let (vx, vy, vz) = (cx - ax, cy - ay, cz - az);
-    let cross = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    let minor = |a, d, b, c| product::signed(a, d) - product::signed(b, c);
+    let cross = [minor(uy, vz, uz, vy), minor(uz, vx, ux, vz), minor(ux, vy, uy, vx)];
     // 34 bits at the most: as many as fit are kept.
     let bits = cross.iter().fold(0, |bits, c| bits | c.unsigned_abs());
     let spare = bits.leading_zeros().saturating_sub(34);
     let shifted = cross.map(|c| ((c << spare) >> 4) as i32);
-    Some(normalise(shifted).map(|c| ((i64::from(c) * 127 + (1 << 29)) >> 30) as i8))
+    Some(normalise(shifted).map(|c| ((product::signed(c, 127) + (1 << 29)) >> 30) as i8))
 }
 
 /// The colour of a surface in full light.
