@@ -8,6 +8,7 @@
 use heapless::Vec;
 
 use crate::attributes::{Carried, Fraction};
+use crate::snapped::Snapped;
 use crate::transform::{Position, Projection};
 
 /// A vertex in clip space with what it carries.
@@ -33,9 +34,12 @@ pub(crate) struct Outcode(pub(crate) u8);
 impl Outcode {
     #[inline]
     pub(crate) fn new(at: &Position, projection: &Projection) -> Self {
-        if projection.surely_inside(at) {
-            return Self(0);
-        }
+        if projection.surely_inside(at) { Self(0) } else { Self::of_distances(at, projection) }
+    }
+
+    /// Apart, as most vertices are surely inside.
+    #[inline(never)]
+    fn of_distances(at: &Position, projection: &Projection) -> Self {
         let mut code = 0;
         let distances = distances(at, projection);
         for (plane, distance) in distances.into_iter().enumerate() {
@@ -46,7 +50,7 @@ impl Outcode {
 }
 
 /// Distances to all planes, in any unit: negative outside.
-#[inline]
+#[inline(never)]
 fn distances(at: &Position, projection: &Projection) -> [i64; 6] {
     let [left, right, top, bottom] = projection.guard_distances(at);
     [i64::from(at.z), i64::from(at.w) - i64::from(at.z), left, right, top, bottom]
@@ -73,10 +77,24 @@ pub(crate) fn clip<'p>(
     polygon
 }
 
-/// The place of the least vertex by `key`: a fan from there is the same whichever vertex the polygon was found from, and
-/// whichever way round.
-pub(crate) fn least<K: Ord>(polygon: &Polygon, key: impl Fn(usize, &ClipVertex) -> K) -> usize {
-    let least = polygon.iter().enumerate().min_by_key(|&(place, vertex)| key(place, vertex));
+/// The place of the least vertex by where all are snapped to, row before column, and by what else tells them apart: a fan
+/// from there is the same whichever vertex the polygon was found from, and whichever way round.
+#[inline]
+pub(crate) fn least(polygon: &Polygon, snapped: impl Iterator<Item = Snapped>) -> usize {
+    let mut places = [Snapped::from_bits(0, 0); MOST_CORNERS];
+    for (place, at) in places.iter_mut().zip(snapped) {
+        *place = at;
+    }
+    least_of(polygon, &places)
+}
+
+/// The same: whoever asks, this is linked once.
+#[inline(never)]
+fn least_of(polygon: &Polygon, snapped: &[Snapped; MOST_CORNERS]) -> usize {
+    let least = polygon.iter().zip(snapped).enumerate().min_by_key(|(_, (vertex, snapped))| {
+        let (at, (x, y)) = (vertex.position, snapped.bits());
+        [y, x, at.w, at.z, at.x, at.y]
+    });
     least.map_or(0, |(place, _)| place)
 }
 

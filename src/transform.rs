@@ -44,19 +44,27 @@ impl Transform {
         let whole = matrix.times(&pose.of_box(mesh.centre(), mesh.half()));
         // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
         let reach = projection.reach_log2 + 1;
-        let rows = [(0, viewport.width()), (1, -viewport.height()), (2, 1 << reach), (3, 1 << reach)]
-            .map(|(row, factor)| whole.row(row).map(|element| product::signed(element, factor) >> reach));
+        let wide = [
+            scaled(&whole.row(0), viewport.width(), reach),
+            scaled(&whole.row(1), -viewport.height(), reach),
+            scaled(&whole.row(2), 1 << reach, reach),
+            scaled(&whole.row(3), 1 << reach, reach),
+        ];
         // The largest coordinate in the mesh's cube decides the power of two: 30 bits of it are kept.
-        let largest = rows
+        let largest = wide
             .iter()
             .map(|row| row.iter().map(|e| e.unsigned_abs()).sum::<u64>())
             .max()
             .unwrap_or_default();
         let shift = largest.leading_zeros() as i32 - 34;
         let moved = |e: i64| if shift >= 0 { e << shift } else { e >> -shift };
-        // A position counts 2^-16 of the cube instead of 2^-15, which the high half of a product gives.
-        let rows = rows
-            .map(|[a, b, c, t]| [moved(a) << 1, moved(b) << 1, moved(c) << 1, moved(t)].map(|e| e as i32));
+        let mut rows = [[0; 4]; 4];
+        for (to, from) in rows.iter_mut().zip(&wide) {
+            for (column, (to, &e)) in to.iter_mut().zip(from).enumerate() {
+                // A position counts 2^-16 of the cube instead of 2^-15, which the high half of a product gives.
+                *to = (moved(e) as i32) << u32::from(column < 3);
+            }
+        }
         let [_, _, _, [.., w]] = rows;
         Self { rows, projection, level_inverse: Projection::inverse(w) }
     }
@@ -80,30 +88,39 @@ impl Transform {
     pub(crate) fn misses(&self, [low, high]: [[i16; 3]; 2]) -> bool {
         let [x, y, z, w] = &self.rows;
         let viewport = &self.projection.viewport;
-        let (width, height) = (i64::from(viewport.width()), i64::from(viewport.height()));
+        let (width, height) = (viewport.width(), viewport.height());
         let reach = 2 << self.projection.reach_log2;
         // Each plane as a sum `a x + b w` that is negative outside, in the best corner of the box.
-        let outside = |row: &[i32; 4], by: i64, size: i64| {
+        let outside = |(row, by, size): (&[i32; 4], i32, i32)| {
             let mut best = 0;
             for (axis, (&r, &w)) in row.iter().zip(w).enumerate() {
-                let slope = i64::from(r) * by + i64::from(w) * size;
+                let slope = product::signed(r, by) + product::signed(w, size);
                 best += match (low.get(axis), high.get(axis)) {
                     (Some(&low), Some(&high)) => {
-                        (slope >> 16) * i64::from(if slope < 0 { low } else { high })
+                        product::signed((slope >> 16) as i32, i32::from(if slope < 0 { low } else { high }))
                     }
                     _ => slope,
                 };
             }
             // Truncations of the three products and of the coordinates themselves.
-            best < -(4 * (by.abs() + size) + (3 << 16))
+            best < -i64::from(4 * (by.abs() + size) + (3 << 16))
         };
-        outside(z, 1, 0)
-            || outside(z, -1, 1)
-            || outside(x, reach, width)
-            || outside(x, -reach, width)
-            || outside(y, reach, height)
-            || outside(y, -reach, height)
+        let planes = [
+            (z, 1, 0),
+            (z, -1, 1),
+            (x, reach, width),
+            (x, -reach, width),
+            (y, reach, height),
+            (y, -reach, height),
+        ];
+        planes.into_iter().any(outside)
     }
+}
+
+/// A row of a matrix, times a factor and down by some bits.
+#[inline(never)]
+fn scaled(row: &[i32; 4], factor: i32, down: u32) -> [i64; 4] {
+    row.map(|element| product::signed(element, factor) >> down)
 }
 
 /// Where w is less, its own error counts for too much.
@@ -235,13 +252,9 @@ impl Projection {
         let (top, bottom) = self.viewport.guard(self.viewport.height());
         let [cx, cy] = self.centre;
         let scale = SUBPIXEL_BITS + self.reach_log2;
-        let (x, y, w) = (i64::from(at.x) << scale, i64::from(at.y) << scale, i64::from(at.w));
-        [
-            x - w * i64::from(left - cx),
-            w * i64::from(right - cx) - x,
-            y - w * i64::from(top - cy),
-            w * i64::from(bottom - cy) - y,
-        ]
+        let (x, y) = (i64::from(at.x) << scale, i64::from(at.y) << scale);
+        let side = |from_centre: i32| product::signed(at.w, from_centre);
+        [x - side(left - cx), side(right - cx) - x, y - side(top - cy), side(bottom - cy) - y]
     }
 
     /// One over w, for [`project`](Self::project).
@@ -271,13 +284,17 @@ impl Projection {
             let rounded = product::down(size, down - 1).div_ceil(2).cast_signed();
             if c < 0 { rounded.wrapping_neg() } else { rounded }
         };
-        let (left, right) = self.viewport.guard(self.viewport.width());
-        let (top, bottom) = self.viewport.guard(self.viewport.height());
         // A vertex that was clipped to the guard rectangle can round to just outside of it; and a camera that claims to
         // be level, and is not, can put one anywhere.
-        let x = cx.wrapping_add(snap(at.x)).max(left).min(right);
-        let y = cy.wrapping_add(snap(at.y)).max(top).min(bottom);
-        Snapped::from_bits(x, y)
+        self.held(cx.wrapping_add(snap(at.x)), cy.wrapping_add(snap(at.y)))
+    }
+
+    /// A position in steps of 1/256 px, or the nearest inside the guard rectangle.
+    #[inline]
+    pub(crate) fn held(&self, x: Clip, y: Clip) -> Snapped {
+        let (left, right) = self.viewport.guard(self.viewport.width());
+        let (top, bottom) = self.viewport.guard(self.viewport.height());
+        Snapped::from_bits(x.max(left).min(right), y.max(top).min(bottom))
     }
 }
 

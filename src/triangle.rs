@@ -2,16 +2,18 @@
 
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use heapless::Vec;
 
 use crate::attributes::{Carried, Words, carried, mixed};
-use crate::clip::{ClipVertex, Mix, Outcode, Polygon, clip, least};
+use crate::clip::{ClipVertex, MOST_CORNERS, Mix, Outcode, Polygon, clip, least};
 use crate::depth::NoDepth;
 use crate::math::format::{Attribute, SUBPIXELS};
 use crate::pipeline::{self, Vertices};
 use crate::pixel::Pixel;
 use crate::point::Point;
-use crate::raster::{Spans, Window};
+use crate::raster::{DrawSpan, Spans, Traversal, Window};
 use crate::setup::{Setup, area2, canonical};
 use crate::shade::{Affine, FlatPixel, GouraudPixel, PixelShader, Textured};
 use crate::snapped::Snapped;
@@ -85,92 +87,109 @@ where
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
         let [Some(a), Some(b), Some(c)] = self.points.map(|point| point.snapped()) else { return Ok(()) };
         let points = [a, b, c];
-        match self.shade {
-            Shade::Flat(colour) => {
-                let colour = Rgb888::from(colour);
-                draw::<C, _, _>(&FlatPixel, points, [(); 3], [colour.r(), colour.g(), colour.b()], target)
-            }
-            Shade::Gouraud(colours) => {
-                let colours = colours.map(|colour| {
-                    let colour = Rgb888::from(colour);
-                    [colour.r(), colour.g(), colour.b()]
-                });
-                draw::<C, _, _>(&GouraudPixel, points, colours, [0; 3], target)
-            }
+        match &self.shade {
+            Shade::Flat(colour) => draw(FlatPixel, points, [(); 3], channels(*colour), target),
+            Shade::Gouraud(colours) => draw(GouraudPixel, points, colours.map(channels), [0; 3], target),
             Shade::Textured(texels, texture) => {
-                draw::<C, _, _>(&Textured::new(&texture, Affine), points, texels, [0; 3], target)
+                draw(Textured::new(texture, Affine), points, *texels, [0; 3], target)
             }
         }
     }
 }
 
+/// Red, green and blue, 8 bits each.
+fn channels<C>(colour: C) -> [u8; 3]
+where
+    Rgb888: From<C>,
+{
+    let colour = Rgb888::from(colour);
+    [colour.r(), colour.g(), colour.b()]
+}
+
 /// Draws a triangle by a shader.
 fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>>(
-    shader: &S,
+    shader: S,
     points: [Snapped; 3],
     attributes: [S::Vertex; 3],
     colour: [u8; 3],
     target: &mut D,
 ) -> Result<(), D::Error> {
     let bounds = target.bounding_box();
-    let projection = Projection::of_pixels(Viewport::largest(bounds.size));
-    let window = Window { columns: 0..projection.viewport.width(), rows: 0..projection.viewport.height() };
     let mut display = Display { origin: bounds.top_left, target };
     let mut result = Ok(());
-    fan(&projection, points, attributes.map(carried), &mixed::<S::Vertex>, &mut |setup, corners| {
+    fan(bounds.size, points, attributes.map(carried), &mixed::<S::Vertex>, &mut |setup, window, corners| {
         let [Some(a), Some(b), Some(c)] = corners.map(|words| S::Vertex::load(&mut words.iter().copied()))
         else {
             return true;
         };
         let vertices =
             Vertices { depths: [(); 3], inverses: [PerVertexInverse::ONE; 3], attributes: [a, b, c], colour };
-        result = pipeline::draw::<C, S, Spans, NoDepth, _>(setup, *shader, vertices, &window, display.lend());
+        result =
+            pipeline::draw::<_, S, SharedSpans, NoDepth, _>(setup, shader, vertices, window, display.lend());
         result.is_ok()
     });
     result
 }
 
-/// Clips a triangle, as clip vertices with a w of one, and calls `draw` with each of the fan that is left, until it says
-/// that this was the last. Whatever the shader is, this is linked once.
+/// The span walk, linked once, not for each shader: one more call a row is little beside what a display takes.
+struct SharedSpans;
+
+impl Traversal for SharedSpans {
+    fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
+        fn walk<E>(setup: &Setup, window: &Window, target: &mut dyn DrawSpan<E>) -> Result<(), E> {
+            Spans::walk(setup, window, |span| target.draw(span))
+        }
+        walk(setup, window, target)
+    }
+}
+
+/// Clips a triangle for a target of some size, as clip vertices with a w of one, and calls `draw` with each of the fan that
+/// is left, until it says that this was the last. Whatever the shader is, this is linked once.
 #[inline(never)]
 fn fan(
-    projection: &Projection,
+    size: Size,
     points: [Snapped; 3],
     carried: [Carried; 3],
     mix: Mix<'_>,
-    draw: &mut dyn FnMut(&Setup, [&Carried; 3]) -> bool,
+    draw: &mut dyn FnMut(&Setup, &Window, [&Carried; 3]) -> bool,
 ) {
-    let ([a, b, c], [p, q, r]) = (points.map(position), carried);
-    let [d, e, f] = [a, b, c].map(|at| Outcode::new(&at, projection).0);
-    if d & e & f != 0 {
-        return;
-    }
-    let snap = |vertex: &ClipVertex| projection.project(&vertex.position, Projection::inverse(ONE));
+    let viewport = Viewport::largest(size);
+    let window = Window { columns: 0..viewport.width(), rows: 0..viewport.height() };
+    let projection = &Projection::of_pixels(viewport);
     let mut places = [Polygon::new(), Polygon::new()];
     let [triangle, _] = &mut places;
-    for (position, carried) in [(a, p), (b, q), (c, r)] {
+    let (mut all, mut any) = (u8::MAX, 0);
+    for (point, carried) in points.into_iter().zip(carried) {
+        let position = position(point);
+        let Outcode(planes) = Outcode::new(&position, projection);
+        (all, any) = (all & planes, any | planes);
         let _ = triangle.push(ClipVertex { position, carried });
     }
-    let polygon = clip(Outcode(d | e | f), projection, mix, &mut places);
-    let least = least(polygon, |_, vertex| {
-        let (at, (x, y)) = (vertex.position, snap(vertex).bits());
-        [y, x, at.x, at.y]
-    });
+    if all != 0 {
+        return;
+    }
+    let polygon = clip(Outcode(any), projection, mix, &mut places);
+    // Clipping leaves w as it is: nothing has to be divided.
+    let snap = |vertex: &ClipVertex| projection.held(vertex.position.x, vertex.position.y);
+    let least = least(polygon, polygon.iter().map(snap));
     let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
-    let mut fan = from.iter().chain(before);
-    let (Some(first), Some(second)) = (fan.next(), fan.next()) else { return };
-    let area = |middle, last| area2(snap(first), snap(middle), snap(last));
+    let mut corners = Vec::<_, MOST_CORNERS>::new();
+    for vertex in from.iter().chain(before) {
+        let _ = corners.push((snap(vertex), &vertex.carried));
+    }
+    let [first, second, rest @ ..] = corners.as_slice() else { return };
+    let area = |(middle, _): &(Snapped, _), (last, _): &(Snapped, _)| area2(first.0, *middle, *last);
     // Which way round all of it is. Snapped, a polygon can be dented by a step.
-    let (turn, _) = fan.clone().fold((0, second), |(sum, middle), last| (sum + area(middle, last), last));
+    let (turn, _) = rest.iter().fold((0, second), |(sum, middle), last| (sum + area(middle, last), last));
     let mut middle = second;
-    for last in fan {
+    for last in rest {
         if area(middle, last).signum() == -turn.signum() && turn != 0 {
             // A step back: it would hit pixels of its neighbours again.
             continue;
         }
-        let order = canonical([first, middle, last].map(|vertex| (snap(vertex), vertex)));
+        let order = canonical([*first, *middle, *last]);
         let drawn = Setup::sorted(order.map(|(at, _)| at))
-            .map(|setup| draw(&setup, order.map(|(_, vertex)| &vertex.carried)));
+            .map(|setup| draw(&setup, &window, order.map(|(_, carried)| carried)));
         if drawn == Some(false) {
             return;
         }

@@ -216,13 +216,12 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             left_out.words += words;
             return None;
         }
-        // Where vertices lie says which of them is least: by row, then column, then by all else that tells them apart.
         drawing.store_from(0, polygon, self.words.get_mut(start..).unwrap_or_default());
-        let least = least(polygon, |place, vertex| {
-            let [x, y] = header(self.words, drawing.word(first + place)).unwrap_or_default();
-            let at = vertex.position;
-            [y.cast_signed(), x.cast_signed(), at.w, at.z, at.x, at.y]
-        });
+        let snapped = |vertex| {
+            let [x, y] = header(self.words, drawing.word(vertex)).unwrap_or_default();
+            Snapped::from_bits(x.cast_signed(), y.cast_signed())
+        };
+        let least = least(polygon, (first..first + polygon.len()).map(snapped));
         drawing.store_from(least, polygon, self.words.get_mut(start..).unwrap_or_default());
         Some((first, polygon.len().saturating_sub(2)))
     }
