@@ -95,6 +95,13 @@ impl<'a> Texture<'a> {
         self
     }
 
+    /// Whether it is the same image: no texel is looked at.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        core::ptr::eq(self.texels, other.texels)
+            && self.sizes_log2() == other.sizes_log2()
+            && self.wrap == other.wrap
+    }
+
     /// The powers of two that width and height are.
     pub(crate) const fn sizes_log2(&self) -> [u8; 2] {
         [self.width_log2, self.height_log2]

@@ -3,20 +3,22 @@
 use core::marker::PhantomData;
 use core::slice::Iter;
 
-use super::drawing::{Drawing, Layout, Shaded, UNSEEN};
-use super::render::{self, stride};
+use super::drawing::{Drawing, Layout, Shaded, UNSEEN, VertexShader};
+use super::render;
 use super::{Block, DrawError, DrawFn, DrawList, Kept, ListTriangle, MAX_NAMED};
 use crate::camera::Camera;
 use crate::clip::{MOST_CORNERS, Outcode, Polygon, least};
 use crate::depth::Depth;
 use crate::math::format::Coord;
+use crate::math::matrix::Matrix;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
 use crate::raster::Traversal;
 use crate::setup::{canonical, facing};
-use crate::shade::{PixelShader, Shader};
+use crate::shade::{PixelShader, Shader, Uniforms};
 use crate::snapped::{Snapped, first_centre};
 use crate::transform::Transform;
+use crate::viewport::{TooLarge, Viewport};
 
 impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     /// Draws a mesh into the list: its vertices to the screen, its faces culled, clipped and put in order.
@@ -31,8 +33,26 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         pose: &Pose,
         shader: &S,
     ) -> Result<(), DrawError> {
-        let viewport = camera.viewport()?;
-        let transform = Transform::new(viewport, camera.matrix(), mesh, pose);
+        let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
+        let layout = Layout::of::<C, P, D, S::Pixel>();
+        let draw: DrawFn<'a, P, D> = render::triangle::<P, D, T, S::Pixel>;
+        let pixel = (&shader.pixel().uniforms(), draw);
+        self.place((&camera.viewport(), camera.matrix()), mesh, pose, &shaded, layout, pixel)
+    }
+
+    /// Places a mesh before a camera, and adds it if any of it can be seen. This, too, is linked once.
+    #[inline(never)]
+    fn place(
+        &mut self,
+        (viewport, matrix): (&Result<Viewport, TooLarge>, &Matrix),
+        mesh: &Mesh<'_>,
+        pose: &Pose,
+        shaded: &dyn VertexShader,
+        layout: Layout,
+        pixel: (&Uniforms<'a>, DrawFn<'a, P, D>),
+    ) -> Result<(), DrawError> {
+        let viewport = (*viewport)?;
+        let transform = Transform::new(viewport, matrix, mesh, pose);
         let faces = mesh.faces().len();
         if faces == 0 || transform.misses(mesh.bounds()) {
             self.stats.faces += faces;
@@ -40,19 +60,11 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             return Ok(());
         }
         let before = (self.used_words, self.shaders.len());
-        let (kept, base) = self.keep::<S::Pixel>(&shader.pixel(), mesh)?;
+        let (kept, base) = self.keep(pixel, layout.stride(), mesh)?;
         self.size = [viewport.width(), viewport.height()];
         self.stats.faces += faces;
-        let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
-        let drawing = Drawing::<D> {
-            transform: &transform,
-            mesh,
-            shaded: &shaded,
-            layout: Layout::of::<C, P, D, S::Pixel>(),
-            kept,
-            base,
-            types: PhantomData,
-        };
+        let drawing =
+            Drawing::<D> { transform: &transform, mesh, shaded, layout, kept, base, types: PhantomData };
         self.add(&drawing, before)
     }
 
@@ -94,15 +106,17 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
 
     /// Where a shader is kept, and the first word of its vertices: the same place as an equal one before it, as long
     /// as its triangles can name all vertices that the mesh can need, with all of its faces cut.
-    fn keep<S: PixelShader<'a, P>>(&mut self, shader: &S, mesh: &Mesh<'_>) -> Result<(u8, usize), DrawError> {
-        let uniforms = shader.uniforms();
-        let draw: DrawFn<'a, P, D> = render::triangle::<P, D, T, S>;
-        let stride = stride::<P, D, S>();
+    fn keep(
+        &mut self,
+        (&uniforms, draw): (&Uniforms<'a>, DrawFn<'a, P, D>),
+        stride: usize,
+        mesh: &Mesh<'_>,
+    ) -> Result<(u8, usize), DrawError> {
         let vertices = mesh.positions().len() + MOST_CORNERS * mesh.faces().len();
         for (place, kept) in self.shaders.iter().enumerate() {
             let base = kept.block.base();
             let named = (self.used_words - base).div_ceil(stride);
-            let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms == uniforms;
+            let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms.is(&uniforms);
             if same && named + vertices <= MAX_NAMED {
                 // Other shaders' vertices may lie between: the next ones start at a whole number of these.
                 self.used_words = base + named * stride;

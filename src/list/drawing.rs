@@ -55,7 +55,7 @@ pub(super) struct Layout {
     /// How many there are.
     stride: u8,
     /// Of these, for the shader.
-    carried: usize,
+    carried: u8,
     /// Whether 1/w is one of them.
     inverse: bool,
     /// Whether vertices have a w each.
@@ -66,7 +66,7 @@ impl Layout {
     pub(super) fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
         Self {
             stride: stride::<P, D, S>() as u8,
-            carried: S::Vertex::WORDS,
+            carried: S::Vertex::WORDS as u8,
             inverse: S::PERSPECTIVE,
             perspective: C::PERSPECTIVE,
         }
@@ -128,7 +128,7 @@ impl<D: Depth> Drawing<'_, D> {
         if self.layout.inverse {
             PerVertexInverse::new(inverse).store(&mut put);
         }
-        for &word in carried.iter().take(self.layout.carried) {
+        for &word in carried.iter().take(usize::from(self.layout.carried)) {
             put(word);
         }
     }

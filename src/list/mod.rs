@@ -21,7 +21,7 @@ mod storage;
 pub use sort::SortError;
 pub use storage::ListStorage;
 
-/// Different shaders that one list can hold. Draws with an equal one share it.
+/// Different shaders that one list can hold. Draws with an equal one share it, if its texels lie in the same place.
 const MAX_SHADERS: usize = 16;
 
 /// Vertices that the triangles of one shader can name: by 16 bits.

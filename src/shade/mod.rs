@@ -232,4 +232,9 @@ impl<'a> Uniforms<'a> {
     pub const fn texture(texture: Texture<'a>) -> Self {
         Self { texture, words: [0; 2] }
     }
+
+    /// Whether it is the same: equal, with the texels in the same place.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        self.words == other.words && self.texture.is(&other.texture)
+    }
 }

@@ -3,8 +3,8 @@
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use topleft::{
-    Affine, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle, Material, Mesh,
-    Perspective, Pose, Stats, Texture, Textured, Turn,
+    Affine, Cull, Depth16, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle, Material, Mesh, NoDepth,
+    Orthographic, Perspective, Pose, Stats, Strip, Texture, Textured, Turn, Wrap,
 };
 
 /// A fan of `faces` round the origin, seen from so near that the near plane cuts it, or from afar.
@@ -131,6 +131,39 @@ fn a_mesh_that_does_not_fit_leaves_no_shader() {
         assert!(matches!(result, Err(DrawError::Full { triangles: 100, .. })), "{result:?}");
     }
     assert_eq!(list.draw(&camera, &small, &Pose::new(), &Flat::new(Rgb565::RED)), Ok(()));
+}
+
+/// Turned red by: a texture that is known by its texels' place without their sizes, or without how it repeats; and by one
+/// that is never found again.
+#[test]
+fn textures_of_the_same_texels_are_told_apart_and_kept_once() {
+    let texels: [u16; 16] = core::array::from_fn(|k| k as u16 * 0x0F0F);
+    let sizes = [(1, 16), (2, 8), (4, 4), (8, 2), (16, 1)];
+    let textures: Vec<_> = [Wrap::Repeat, Wrap::Clamp]
+        .into_iter()
+        .flat_map(|wrap| sizes.map(|(w, h)| Texture::new(w, h, &texels).unwrap().with_wrap(wrap)))
+        .collect();
+    let positions = [[-32_767, -32_767, 0], [32_767, -32_767, 0], [0, 32_767, 0]];
+    let uvs = [[-32_767, 32_767], [32_767, 32_767], [0, -32_767]];
+    let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap().with_uvs(&uvs, 1).unwrap();
+    let camera = Orthographic::new(Size::new(32, 32), 2.0, -1.0..1.0);
+    let frame = |textures: &[Texture<'_>]| {
+        let mut storage = (vec![0; 1000], vec![ListTriangle::EMPTY; 100]);
+        let mut list = DrawList::<Rgb565, NoDepth>::new(&mut storage.0, &mut storage.1);
+        for texture in textures {
+            let drawn = list.draw(&camera, &mesh, &Pose::new(), &Textured::new(texture, Affine));
+            assert_eq!(drawn, Ok(()));
+        }
+        let mut colours = vec![Rgb565::BLACK; 32 * 32];
+        list.render(0..32, &mut Strip::new(32, &mut colours).unwrap());
+        colours
+    };
+    for last in 0..textures.len() {
+        // All of them, three times: more draws than a list has places for shaders.
+        let mut drawn = [&textures[..], &textures, &textures].concat();
+        drawn.push(textures[last]);
+        assert!(frame(&drawn) == frame(&textures[last..=last]), "{:?}", textures[last]);
+    }
 }
 
 /// Turned red by: a mesh that shares the names of another's vertices, which its cut faces then do not find.
