@@ -203,10 +203,12 @@ fn aspect(size: Size) -> f32 {
 }
 
 impl Placed {
+    #[inline(never)]
     fn new(size: Size, projection: [[f32; 4]; 4]) -> Self {
         Self { size, projection, matrix: Matrix::from_floats(projection) }
     }
 
+    #[inline(never)]
     fn look_at(self, eye: [f32; 3], target: [f32; 3]) -> Self {
         let back = unit(minus(eye, target));
         let vertical = (back[0].abs().to_bits() | back[2].abs().to_bits()) == 0;

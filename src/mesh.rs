@@ -30,7 +30,8 @@ pub struct Mesh<'a> {
     normals: &'a [[i8; 3]],
     face_normals: &'a [[i8; 3]],
     uvs: &'a [[i16; 2]],
-    uv_exponent: u8,
+    /// A whole word, which is copied as one: three bytes of padding would be by a call.
+    uv_exponent: u32,
     vertex_colours: &'a [[u8; 3]],
     face_colours: &'a [[u8; 3]],
     centre: [Length; 3],
@@ -158,7 +159,7 @@ impl<'a> Mesh<'a> {
             return Err(MeshError::UvExponent(exponent));
         }
         self.uvs = uvs;
-        self.uv_exponent = exponent;
+        self.uv_exponent = exponent as u32;
         self.check(uvs.len(), self.positions.len())
     }
 
@@ -211,7 +212,7 @@ impl<'a> Mesh<'a> {
 
     /// The exponent of the texture coordinates: they span ±2^exponent repeats.
     pub const fn uv_exponent(&self) -> u8 {
-        self.uv_exponent
+        self.uv_exponent as u8
     }
 
     /// The vertices' colours, or nothing.
@@ -247,8 +248,9 @@ const fn bounds(positions: &[[i16; 3]]) -> [[i16; 3]; 2] {
     const fn greatest(a: i16, b: i16) -> i16 {
         if a > b { a } else { b }
     }
+    // Written out: an array of six bytes is copied by a call.
     let [mut low, mut high] = match positions {
-        [first, ..] => [*first, *first],
+        [[x, y, z], ..] => [[*x, *y, *z], [*x, *y, *z]],
         [] => [[0; 3]; 2],
     };
     let mut rest = positions;

@@ -63,7 +63,9 @@ enum Shade<'a, C> {
 impl<'a, C: Pixel> ShadedTriangle<'a, C> {
     /// A colour at each corner, interpolated between them.
     pub const fn new(points: [Point; 3], colours: [C; 3]) -> Self {
-        Self { points, shade: Shade::Gouraud(colours) }
+        // Written out: an array of six bytes is copied by a call.
+        let [a, b, c] = colours;
+        Self { points, shade: Shade::Gouraud([a, b, c]) }
     }
 
     /// One colour.
