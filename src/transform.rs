@@ -366,6 +366,54 @@ mod tests {
         assert!(seen > 100_000 && bounded > 5_000, "{seen} {bounded}");
     }
 
+    // Red when a plane has the other sign, or the size of the other axis, or the worst corner of the box is looked at in
+    // place of the best; and when nothing is ever missed.
+    #[test]
+    fn a_box_that_is_missed_lies_outside_one_plane() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as u32
+        };
+        let mut missed = [0; 6];
+        for _ in 0..50_000 {
+            let size = Size::new(20 + random() % 300, 20 + random() % 300);
+            let camera = Perspective::new(size, Turn::from_degrees(60), 0.5..20.0);
+            let at =
+                [random(), random(), random()].map(|bits| Length::from_bits((bits as i32 >> 9) - (1 << 21)));
+            let pose =
+                Pose::new().turned_y(Turn::new(random() as u16)).turned_x(Turn::new(random() as u16)).at(at);
+            let [a, b, c, d, e, f] = [(); 6].map(|()| random() as i16);
+            let positions = [[a, b, c], [d, e, f]];
+            let mesh = Mesh::new(&positions, &[[0, 1, 0]]).unwrap();
+            let mesh = mesh.with_box([Length::ZERO; 3], Length::from_bits(1 + (random() >> 11) as i32));
+            let viewport = camera.viewport().unwrap();
+            let transform = Transform::new(viewport, camera.matrix(), &mesh, &pose);
+            if !transform.misses(mesh.bounds()) {
+                continue;
+            }
+            let [low, high] = mesh.bounds();
+            let reach = 2 << transform.projection.reach_log2;
+            let mut outside = [true; 6];
+            for corner in 0..8 {
+                let at = transform
+                    .position([0, 1, 2].map(|k| if corner >> k & 1 == 0 { low[k] } else { high[k] }));
+                let [x, y, z, w] = [at.x, at.y, at.z, at.w].map(i64::from);
+                let (x, y) = (x * reach, y * reach);
+                let (right, bottom) = (w * i64::from(size.width), w * i64::from(size.height));
+                let distances = [z, w - z, right + x, right - x, bottom + y, bottom - y];
+                for (outside, distance) in outside.iter_mut().zip(distances) {
+                    *outside &= distance < 0;
+                }
+            }
+            assert!(outside.contains(&true), "{at:?} {positions:?}");
+            for (missed, outside) in missed.iter_mut().zip(outside) {
+                *missed += usize::from(outside);
+            }
+        }
+        assert!(missed.iter().all(|&missed| missed > 100), "{missed:?}");
+    }
+
     // Red when a half is rounded away from zero, or the rest of a negative coordinate is dropped the other way.
     #[test]
     fn a_projected_coordinate_is_rounded_to_nearest_and_halves_up() {

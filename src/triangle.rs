@@ -206,3 +206,24 @@ fn position(at: Snapped) -> Position {
     let (x, y) = at.bits();
     Position { x, y, z: 0, w: ONE }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attributes::Fraction;
+
+    // Red when w is no power of two, or flat drawings have a centre, or a reach.
+    #[test]
+    fn what_is_not_projected_is_where_it_would_be() {
+        let projection = Projection::of_pixels(Viewport::largest(Size::new(320, 240)));
+        let mut state = 1_u64;
+        for round in 0..100_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let [x, y] =
+                [state as u32, (state >> 32) as u32].map(|bits| bits.cast_signed() >> (2 + round % 20));
+            let at = position(Snapped::from_bits(x, y));
+            assert_eq!(projection.project(&at, Projection::inverse(at.w)), projection.held(x, y), "{x} {y}");
+            assert_eq!(Fraction((state >> 34) as i32).mix(ONE, ONE), ONE);
+        }
+    }
+}
