@@ -151,7 +151,7 @@ pub use blob::{Aligned, BlobError};
 pub use camera::{Camera, MatrixCamera, Orthographic, Perspective};
 pub use depth::{Depth, Depth16, DepthFloat, NoDepth, Painter};
 pub use hiding::Hiding;
-pub use list::{DrawError, DrawList, ListStorage, ListTriangle, SortError, Stats};
+pub use list::{DrawError, DrawList, ListStorage, ListTriangle, ProjectedVertex, SortError, Stats};
 pub use math::format::{Attribute, Coord, DepthCode, Inverse, Length};
 pub use math::matrix::Matrix;
 pub use math::turn::Turn;

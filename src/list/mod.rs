@@ -6,6 +6,7 @@ use embedded_graphics_core::geometry::Size;
 use heapless::Vec;
 
 use crate::depth::Depth;
+use crate::mesh::MeshError;
 use crate::raster::Spans;
 use crate::setup::Cull;
 use crate::shade::Uniforms;
@@ -14,10 +15,13 @@ use crate::viewport::TooLarge;
 
 mod draw;
 mod drawing;
+mod placed;
+mod projected;
 mod render;
 mod sort;
 mod storage;
 
+pub use projected::ProjectedVertex;
 pub use sort::SortError;
 pub use storage::ListStorage;
 
@@ -96,6 +100,15 @@ pub enum DrawError {
     TooManyShaders,
     /// The camera's target is too large; nothing of the mesh is drawn.
     TooLarge(Size),
+    /// Faces of [`draw_projected`](DrawList::draw_projected) name a vertex that is not there, or there are more vertices
+    /// than can be named; nothing of them is drawn.
+    Faces(MeshError),
+}
+
+impl From<MeshError> for DrawError {
+    fn from(error: MeshError) -> Self {
+        Self::Faces(error)
+    }
 }
 
 impl From<TooLarge> for DrawError {
@@ -112,6 +125,7 @@ impl core::fmt::Display for DrawError {
             }
             Self::TooManyShaders => write!(f, "the list holds {MAX_SHADERS} different shaders already"),
             Self::TooLarge(size) => TooLarge(*size).fmt(f),
+            Self::Faces(error) => error.fmt(f),
         }
     }
 }
