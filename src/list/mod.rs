@@ -135,11 +135,12 @@ impl core::error::Error for DrawError {}
 /// What became of the faces that were drawn into a list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {
-    /// Faces of all meshes.
+    /// Faces of all draws.
     pub faces: usize,
     /// Triangles that show the side which is culled, or have no area: faces, or the parts of one that was cut.
     pub culled: usize,
-    /// Triangles outside the view, and those that touch no pixel centre: faces, or the parts of one that was cut.
+    /// Triangles outside the view, and those that touch no pixel centre: faces, or the parts of one that was cut. Where
+    /// vertices were on the screen already, those with one beyond the guard rectangle too.
     pub outside: usize,
     /// Faces that were cut by the near or far plane or by the guard rectangle, into parts that are counted above or
     /// below.
@@ -151,7 +152,7 @@ pub struct Stats {
 /// The triangles of a frame, in borrowed storage: vertices once a frame, pixels once a strip.
 ///
 /// `P` is the colour of a strip's cells, `D` its depth, `T` how pixels are found; all follow from the strips that the
-/// list is rendered to. Draw all meshes of a frame with cameras of one viewport.
+/// list is rendered to. Draw all meshes of a frame with cameras of one viewport, and all else for the same size.
 ///
 /// A vertex takes two words and what its shader and depth need: flat 2, Gouraud 3, textured 4, textured with
 /// perspective 5, lit 1 more, and with depth or in painter's order 1 more. A triangle takes 14 bytes.

@@ -153,20 +153,18 @@ fn case() -> impl Strategy<Value = Case> {
     )
         .prop_map(|(vertices, faces, colours, more, wild, (size, rows, storage, way))| {
             let count = vertices.len() as u16;
-            let index = |index: u16| if wild && index % 16 == 0 { index } else { index % count };
+            let index = |index: u16| if wild && index.is_multiple_of(16) { index } else { index % count };
             let faces = faces.into_iter().map(|face: [u16; 3]| face.map(index)).collect();
             Case { vertices, faces, colours, more, size, rows, storage, way }
         })
 }
 
-/// Turned red by: an index that is not checked, words that an iterator leaves as they were, a w of 0 or less, and a vertex
-/// at no finite point, that are drawn.
+/// Turned red by: an index that is not checked; 1/w that is written where depth is read.
 #[test]
 fn any_vertices_and_faces_are_legal() {
     let texture = Texture::new(4, 2, &TEXELS).expect("a texture");
     check(4_000, &case(), |case| {
         let [words, triangles] = case.storage;
-        // What was there before must not be drawn.
         let mut stores = vec![(vec![0x7FFF_FFFF; words], vec![ListTriangle::EMPTY; triangles]); 32];
         let stores = &mut stores.iter_mut();
         let bits = |[u, v, _]: [i32; 3]| [u, v].map(Attribute::from_bits);
@@ -182,4 +180,19 @@ fn any_vertices_and_faces_are_legal() {
         let shader = Textured::new(&texture.with_wrap(Wrap::Clamp), PerPixel).lit_by(&sun);
         case.draw(stores, &Shader::<u16>::pixel(&shader), lit)
     });
+}
+
+/// Turned red by: words that stay as they were where an iterator ends before it said so.
+#[test]
+fn what_an_iterator_does_not_give_is_not_drawn() {
+    let corners = [[0.0, 0.0], [0.0, 9.0], [9.0, 0.0]].map(|[x, y]| ProjectedVertex::new(point(x, y), ()));
+    let mut storage = ([0; 9], [ListTriangle::EMPTY; 1]);
+    let mut list = DrawList::<u16, Depth16>::new(&mut storage.0, &mut storage.1);
+    for (given, drawn) in [(3, 1), (2, 0), (0, 0)] {
+        // The words of the frame before are still there.
+        list.clear();
+        let vertices = Liar(corners.into_iter().take(given), 3);
+        list.draw_projected(Size::new(9, 9), vertices, &[[0, 1, 2]], &[], &FlatPixel).unwrap();
+        assert_eq!((list.stats().drawn, list.stats().outside), (drawn, 1 - drawn));
+    }
 }

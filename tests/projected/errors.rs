@@ -42,7 +42,7 @@ fn what_is_refused_leaves_the_list_as_it_was() {
     assert_eq!(refused(SIZE, &[], &corners(())), Ok(()));
 }
 
-/// Turned red by: a list that is full and keeps the shader or the vertices of what did not fit, or says less is missing.
+/// Turned red by: words or triangles that are missing and not counted, faces that are counted only where they fit.
 #[test]
 fn a_full_list_hands_back_what_did_not_fit() {
     let colours = [[1, 2, 3], [4, 5, 6]];
@@ -71,5 +71,19 @@ fn only_shaders_with_perspective_ask_for_a_positive_w() {
         assert_eq!((list.stats().outside, list.stats().drawn), (0, 1));
         list.draw_projected(SIZE, vertices, &FACE, &[], &Textured::new(&texture, PerPixel)).unwrap();
         assert_eq!(list.stats().outside, outside);
+    }
+}
+
+/// Turned red by: a vertex that is nowhere and written as one at (0, 0): `UNSEEN` in src/list/projected.rs.
+#[test]
+fn a_vertex_at_no_finite_point_leaves_its_triangles_out() {
+    let mut storage = (vec![0; 100], vec![ListTriangle::EMPTY; 20]);
+    let mut list = DrawList::<Rgb565, NoDepth>::new(&mut storage.0, &mut storage.1);
+    for nowhere in [point(f32::NAN, 9.0), point(9.0, f32::INFINITY), point(9.0, f32::NEG_INFINITY)] {
+        let [a, b, c] = corners(());
+        let vertices = [a, b, c, ProjectedVertex::new(nowhere, ())];
+        list.clear();
+        list.draw_projected(SIZE, vertices, &[[0, 1, 2], [3, 1, 2], [0, 3, 3]], &[], &FlatPixel).unwrap();
+        assert_eq!(list.stats(), Stats { faces: 3, drawn: 1, outside: 2, ..Stats::default() });
     }
 }

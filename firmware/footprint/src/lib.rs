@@ -9,7 +9,8 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::Size;
 use topleft::stages::Shader;
 use topleft::{
-    Camera, Depth, DrawError, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip, Texture,
+    Camera, Depth, DrawError, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip,
+    Texture,
 };
 
 /// Pixels of the panel.

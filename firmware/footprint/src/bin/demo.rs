@@ -4,9 +4,7 @@
 
 use core::hint::black_box;
 
-use topleft::{
-    Affine, DrawList, Flat, Gouraud, Length, Material, Perspective, Strip, Sun, Textured, Turn,
-};
+use topleft::{Affine, DrawList, Flat, Gouraud, Length, Material, Perspective, Strip, Sun, Textured, Turn};
 
 footprint::image!(|memory| {
     let Ok(strip) = Strip::new(240, &mut memory.colours) else { return };
