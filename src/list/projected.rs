@@ -37,7 +37,7 @@ pub struct ProjectedVertex<A = ()> {
 }
 
 impl<A: Copy> ProjectedVertex<A> {
-    /// A vertex at a point, with the attributes of its shader: infinitely far away, and of a w of one.
+    /// A vertex at a point, with the attributes of its shader: at the far plane, and with a w of one.
     pub const fn new(at: Point, attributes: A) -> Self {
         Self { at, depth: DepthCode::ZERO, w: Length::ONE, attributes }
     }
@@ -45,8 +45,8 @@ impl<A: Copy> ProjectedVertex<A> {
     /// The same at a depth, which is linear on the screen: `65 536 (1 - z / w)`, from 0 at the far plane to
     /// [`DepthCode::MAX`] at the near one. Greater is nearer.
     ///
-    /// [`Depth16`](crate::Depth16) fits them into 65 528 codes, from 4 on; [`DepthFloat`](crate::DepthFloat) and
-    /// [`DrawList::sort`] take them as they are.
+    /// [`Depth16`](crate::Depth16) makes 65 528 codes of them, from 4 on, and [`DepthFloat`](crate::DepthFloat) small floats;
+    /// [`DrawList::sort`] takes the mean of three.
     #[must_use]
     pub const fn with_depth(mut self, depth: DepthCode) -> Self {
         self.depth = depth;
@@ -66,9 +66,9 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     /// Draws triangles whose vertices are on the screen already: no mesh, no camera, no pose, and no code for them.
     ///
     /// For drawings in two dimensions, and for programs with a vertex stage of their own. `size` is that of the whole frame.
-    /// The vertices may come from an iterator, which is that stage. Each face names three of them, counter-clockwise as the
-    /// viewer sees them where it shows its front, and has one of the colours; white, where there are fewer colours than
-    /// faces. What shaders make of the rest is the caller's: a light, for one, is in the colours.
+    /// The vertices are an array, or an iterator that runs that stage. Each face names three of them, counter-clockwise as
+    /// the viewer sees them where it shows its front, and has one of the colours; white, where there are fewer colours than
+    /// faces. There is no light but what the caller puts into colours and attributes.
     ///
     /// There is no clipper here. A triangle is left out, and counted as `outside`, where a vertex lies more than
     /// [`Viewport::margin`] pixels outside the frame or at no finite point, or has no positive w and a shader that needs one.
