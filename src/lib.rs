@@ -47,6 +47,9 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
+//! A program with a vertex stage of its own, or a drawing in two dimensions, hands vertices that are on the screen already to
+//! [`DrawList::draw_projected`]: no mesh, no camera, and no code for them, in a list like any other.
+//!
 //! Without a depth buffer, [`DrawList::sort`] puts a list in painter's order, and one convex mesh needs only its back faces
 //! culled: [`Hiding::cheapest`] tells which way is safe for a scene.
 //!
@@ -65,7 +68,8 @@
 //!    belongs to exactly one triangle: no cracks and no double hits, whatever the triangles, the strips or the traversal.
 //!    (`tests/coverage`, `tests/stability`)
 //! 2. **The same everywhere.** The same scene gives the same bytes, whole frame or in strips, whichever vertex a
-//!    triangle starts with, and whichever chip draws it. (`tests/same_bytes.rs`, `firmware/bench/tests/same_everywhere.rs`)
+//!    triangle starts with, and whichever chip draws it. (`tests/same_bytes.rs`, `tests/projected`,
+//!    `firmware/bench/tests/same_everywhere.rs`)
 //! 3. **A stated error.** A value with 16 fraction bits, n columns and m rows from its triangle's first vertex, is off by
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
 //!    [`PerPixel`] by at most `U 2^-13`, with U the power of two of texels that holds the triangle's, up to a ratio of w
@@ -73,8 +77,8 @@
 //!    share above; a colour of [`GouraudWithin`] likewise, in codes; a depth by `(n + m + 2) 2^-17 + 2^-11` codes of
 //!    [`Depth16`], and that of a [`DepthFloat`] as it says.
 //!    (`tests/against_reference`, `tests/stability`)
-//! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped or culled; what does
-//!    not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
+//! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped, culled, or left out
+//!    and counted; what does not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
 //!    `tools/link-check`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
 //!    without them has no buffer, no cycle and no code for them. Where nothing is hidden that a depth buffer would be needed
@@ -151,7 +155,7 @@ pub use blob::{Aligned, BlobError};
 pub use camera::{Camera, MatrixCamera, Orthographic, Perspective};
 pub use depth::{Depth, Depth16, DepthFloat, NoDepth, Painter};
 pub use hiding::Hiding;
-pub use list::{DrawError, DrawList, ListStorage, ListTriangle, SortError, Stats};
+pub use list::{DrawError, DrawList, ListStorage, ListTriangle, ProjectedVertex, SortError, Stats};
 pub use math::format::{Attribute, Coord, DepthCode, Inverse, Length};
 pub use math::matrix::Matrix;
 pub use math::turn::Turn;

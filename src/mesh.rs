@@ -93,19 +93,8 @@ impl<'a> Mesh<'a> {
     /// # Errors
     /// More than [`MAX_VERTICES`] vertices, or a face with an index out of range.
     pub const fn new(positions: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> Result<Self, MeshError> {
-        if positions.len() > MAX_VERTICES {
-            return Err(MeshError::TooManyVertices(positions.len()));
-        }
-        let mut rest = faces;
-        let mut face = 0;
-        while let [[a, b, c], tail @ ..] = rest {
-            let largest = if *a > *b { *a } else { *b };
-            let largest = if largest > *c { largest } else { *c };
-            if largest as usize >= positions.len() {
-                return Err(MeshError::IndexOutOfRange { face, index: largest });
-            }
-            rest = tail;
-            face += 1;
+        if let Err(error) = check_faces(positions.len(), faces) {
+            return Err(error);
         }
         Ok(Self {
             positions,
@@ -239,6 +228,25 @@ impl<'a> Mesh<'a> {
     pub const fn bounds(&self) -> [[i16; 3]; 2] {
         self.bounds
     }
+}
+
+/// Whether faces can name as many vertices, and name no others.
+pub(crate) const fn check_faces(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
+    if vertices > MAX_VERTICES {
+        return Err(MeshError::TooManyVertices(vertices));
+    }
+    let mut rest = faces;
+    let mut face = 0;
+    while let [[a, b, c], tail @ ..] = rest {
+        let largest = if *a > *b { *a } else { *b };
+        let largest = if largest > *c { largest } else { *c };
+        if largest as usize >= vertices {
+            return Err(MeshError::IndexOutOfRange { face, index: largest });
+        }
+        rest = tail;
+        face += 1;
+    }
+    Ok(())
 }
 
 const fn bounds(positions: &[[i16; 3]]) -> [[i16; 3]; 2] {

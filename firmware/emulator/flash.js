@@ -16,6 +16,7 @@ const KINDS = {
     light: /5light|\.\.light\.\.|recip9normalise/,
     perspective: /11perspective|PerPixel|6over_w/,
     floats: /topleft6camera|__(add|sub|mul|div)sf3/,
+    'vertex stages': /topleft(6camera|4pose|9transform|4clip)|4math(6matrix|4turn)|list7drawing|7clipped/,
 };
 /** Files and functions that stand in the debug information where code of theirs was inlined: it is not linked into flash. */
 const INLINED = {
@@ -24,6 +25,7 @@ const INLINED = {
     texture: /^src\/shade\/(sampler|textured)\.rs$/,
     light: /^normalise$/,
     perspective: /^src\/shade\/(over_w|perspective\/(per_pixel|subspans|within|divided))\.rs$/,
+    'vertex stages': /^src\/(camera|pose|transform|clip|math\/(matrix|turn)|list\/drawing)\.rs$/,
 };
 /** The ways to draw, in the table's order, and what each does not use. */
 const UNUSED = {
@@ -34,6 +36,8 @@ const UNUSED = {
     'lit-affine-depth': ['perspective', 'floats'],
     'perspective-subspan-16-depth': ['light', 'floats'],
     'perspective-depth': ['light', 'floats'],
+    'projected-flat-depth': ['texture', 'light', 'perspective', 'floats', 'vertex stages'],
+    demo: ['perspective'],
     everything: [],
 };
 const WAYS = Object.keys(UNUSED);

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::render::stride;
+use super::placed::{FaceColours, Placed, UNSEEN};
 use crate::attributes::{Carried, Fraction, Words, carried, mixed};
 use crate::camera::Camera;
 use crate::clip::{ClipVertex, Outcode, Polygon, clip};
@@ -12,19 +12,13 @@ use crate::mesh::Mesh;
 use crate::shade::{PixelShader, Shader};
 use crate::transform::{PerVertexInverse, Position, Projection, Transform};
 
-/// The first word of a vertex that lies outside some plane: the second names the planes.
-pub(super) const UNSEEN: u32 = 1 << 31;
-
 /// The vertex half of a shader over a mesh.
-pub(super) trait VertexShader {
+pub(super) trait VertexShader: FaceColours {
     /// What a vertex carries.
     fn vertex(&self, vertex: usize) -> Carried;
 
     /// What a vertex between two others carries.
     fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried;
-
-    /// The colour of a face.
-    fn face(&self, face: usize) -> [u8; 3];
 }
 
 /// A shader's vertex half, with what it computes once a mesh.
@@ -43,7 +37,9 @@ impl<'a, S: Shader<'a, P>, P> VertexShader for Shaded<'_, 'a, S, P> {
     fn mix(&self, from: &Carried, to: &Carried, at: Fraction) -> Carried {
         mixed::<<S::Pixel as PixelShader<'a, P>>::Vertex>(from, to, at)
     }
+}
 
+impl<'a, S: Shader<'a, P>, P> FaceColours for Shaded<'_, 'a, S, P> {
     fn face(&self, face: usize) -> [u8; 3] {
         self.shader.face(&self.local, self.mesh, face)
     }
@@ -52,9 +48,7 @@ impl<'a, S: Shader<'a, P>, P> VertexShader for Shaded<'_, 'a, S, P> {
 /// What the words of a vertex are.
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
-    /// How many there are.
-    stride: u8,
-    /// Of these, for the shader.
+    /// How many are for the shader.
     carried: u8,
     /// Whether 1/w is one of them.
     inverse: bool,
@@ -63,18 +57,8 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub(super) fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
-        Self {
-            stride: stride::<P, D, S>() as u8,
-            carried: S::Vertex::WORDS as u8,
-            inverse: S::PERSPECTIVE,
-            perspective: C::PERSPECTIVE,
-        }
-    }
-
-    #[inline]
-    pub(super) fn stride(self) -> usize {
-        usize::from(self.stride)
+    pub(super) fn of<'a, C: Camera, P, S: PixelShader<'a, P>>() -> Self {
+        Self { carried: S::Vertex::WORDS as u8, inverse: S::PERSPECTIVE, perspective: C::PERSPECTIVE }
     }
 }
 
@@ -84,23 +68,15 @@ pub(super) struct Drawing<'m, D> {
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) shaded: &'m dyn VertexShader,
     pub(super) layout: Layout,
-    /// Where the pixel shader is kept.
-    pub(super) kept: u8,
-    /// The first word of that shader's vertices.
-    pub(super) base: usize,
+    pub(super) placed: Placed<'m>,
     pub(super) types: PhantomData<D>,
 }
 
 impl<D: Depth> Drawing<'_, D> {
-    /// Where a vertex of the shader starts.
-    pub(super) fn word(&self, vertex: usize) -> usize {
-        self.base + vertex * self.layout.stride()
-    }
-
     /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
     pub(super) fn vertices(&self, mut words: &mut [u32]) {
         for (vertex, &position) in self.mesh.positions().iter().enumerate() {
-            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride()) else { break };
+            let Some((here, rest)) = words.split_at_mut_checked(self.placed.stride()) else { break };
             let position = self.transform.position(position);
             let planes = Outcode::new(&position, &self.transform.projection);
             if planes == Outcode(0) {
@@ -138,7 +114,7 @@ impl<D: Depth> Drawing<'_, D> {
     pub(super) fn store_from(&self, place: usize, polygon: &Polygon, mut words: &mut [u32]) {
         let (before, from) = polygon.split_at_checked(place).unwrap_or_default();
         for vertex in from.iter().chain(before) {
-            let Some((here, rest)) = words.split_at_mut_checked(self.layout.stride()) else { break };
+            let Some((here, rest)) = words.split_at_mut_checked(self.placed.stride()) else { break };
             self.store(here, &vertex.position, &vertex.carried);
             words = rest;
         }

@@ -6,6 +6,7 @@ use embedded_graphics_core::geometry::Size;
 use heapless::Vec;
 
 use crate::depth::Depth;
+use crate::mesh::MeshError;
 use crate::raster::Spans;
 use crate::setup::Cull;
 use crate::shade::Uniforms;
@@ -14,10 +15,13 @@ use crate::viewport::TooLarge;
 
 mod draw;
 mod drawing;
+mod placed;
+mod projected;
 mod render;
 mod sort;
 mod storage;
 
+pub use projected::ProjectedVertex;
 pub use sort::SortError;
 pub use storage::ListStorage;
 
@@ -96,6 +100,15 @@ pub enum DrawError {
     TooManyShaders,
     /// The camera's target is too large; nothing of the mesh is drawn.
     TooLarge(Size),
+    /// Faces of [`draw_projected`](DrawList::draw_projected) name a vertex that is not there, or there are more vertices
+    /// than can be named; nothing of them is drawn.
+    Faces(MeshError),
+}
+
+impl From<MeshError> for DrawError {
+    fn from(error: MeshError) -> Self {
+        Self::Faces(error)
+    }
 }
 
 impl From<TooLarge> for DrawError {
@@ -112,6 +125,7 @@ impl core::fmt::Display for DrawError {
             }
             Self::TooManyShaders => write!(f, "the list holds {MAX_SHADERS} different shaders already"),
             Self::TooLarge(size) => TooLarge(*size).fmt(f),
+            Self::Faces(error) => error.fmt(f),
         }
     }
 }
@@ -121,11 +135,12 @@ impl core::error::Error for DrawError {}
 /// What became of the faces that were drawn into a list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {
-    /// Faces of all meshes.
+    /// Faces of all draws.
     pub faces: usize,
     /// Triangles that show the side which is culled, or have no area: faces, or the parts of one that was cut.
     pub culled: usize,
-    /// Triangles outside the view, and those that touch no pixel centre: faces, or the parts of one that was cut.
+    /// Triangles outside the view, and those that touch no pixel centre: faces, or the parts of one that was cut. Where
+    /// vertices were on the screen already, those with one beyond the guard rectangle too.
     pub outside: usize,
     /// Faces that were cut by the near or far plane or by the guard rectangle, into parts that are counted above or
     /// below.
@@ -137,7 +152,7 @@ pub struct Stats {
 /// The triangles of a frame, in borrowed storage: vertices once a frame, pixels once a strip.
 ///
 /// `P` is the colour of a strip's cells, `D` its depth, `T` how pixels are found; all follow from the strips that the
-/// list is rendered to. Draw all meshes of a frame with cameras of one viewport.
+/// list is rendered to. Draw all meshes of a frame with cameras of one viewport, and all else for the same size.
 ///
 /// A vertex takes two words and what its shader and depth need: flat 2, Gouraud 3, textured 4, textured with
 /// perspective 5, lit 1 more, and with depth or in painter's order 1 more. A triangle takes 14 bytes.

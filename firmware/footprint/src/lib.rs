@@ -9,7 +9,8 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::Size;
 use topleft::stages::Shader;
 use topleft::{
-    Camera, Depth, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip, Texture,
+    Camera, Depth, DrawError, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip,
+    Texture,
 };
 
 /// Pixels of the panel.
@@ -38,9 +39,9 @@ pub const EYE: MatrixCamera<true> =
 #[derive(Debug)]
 pub struct Memory {
     /// Of the list's vertices.
-    pub words: [u32; 200],
+    pub words: [u32; 400],
     /// Of the list.
-    pub triangles: [ListTriangle; 24],
+    pub triangles: [ListTriangle; 48],
     /// Of the strip.
     pub colours: [u16; CELLS],
     /// Of the strip.
@@ -51,8 +52,8 @@ impl Memory {
     /// Memory that nothing is drawn in.
     pub const fn new() -> Self {
         Self {
-            words: [0; 200],
-            triangles: [ListTriangle::EMPTY; 24],
+            words: [0; 400],
+            triangles: [ListTriangle::EMPTY; 48],
             colours: [0; CELLS],
             depths: [0; CELLS],
         }
@@ -83,13 +84,30 @@ pub fn draw<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
     camera: &C,
     shader: &S,
 ) {
+    if add(list, camera, shader).is_ok() {
+        render(list, strip);
+    }
+}
+
+/// Draws the cube into a list.
+///
+/// # Errors
+/// Those of the list.
+pub fn add<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
+    list: &mut DrawList<'a, u16, D>,
+    camera: &C,
+    shader: &S,
+) -> Result<(), DrawError> {
     let turned = Pose::new().turned_y(black_box(topleft::Turn::from_degrees(30)));
-    if list.draw(black_box(camera), mesh(), &turned, shader).is_ok() {
-        for top in (0..PANEL.height as i32).step_by(usize::from(strip.height())) {
-            strip.clear();
-            list.render(top..top + i32::from(strip.height()), strip);
-            black_box(strip.colours());
-        }
+    list.draw(black_box(camera), mesh(), &turned, shader)
+}
+
+/// Draws each strip of a list.
+pub fn render<D: Depth>(list: &DrawList<'_, u16, D>, strip: &mut Strip<'_, u16, D>) {
+    for top in (0..PANEL.height as i32).step_by(usize::from(strip.height())) {
+        strip.clear();
+        list.render(top..top + i32::from(strip.height()), strip);
+        black_box(strip.colours());
     }
 }
 

@@ -11,6 +11,7 @@ use core::panic::PanicInfo;
 
 mod flat_drawing;
 mod frame;
+mod projected;
 mod screen;
 #[cfg(feature = "camera")]
 mod with_camera;
@@ -37,6 +38,7 @@ fn draw(screen: &mut Screen) -> Result<(), Infallible> {
     frame::in_painters_order(screen)?;
     frame::cheapest();
     frame::by_boxes(screen)?;
+    projected::draw(screen)?;
     #[cfg(feature = "camera")]
     with_camera::draw(screen)?;
     flat_drawing::draw(screen)
