@@ -129,6 +129,7 @@ mod camera;
 mod snapped;
 mod point;
 mod attributes;
+mod retained;
 mod transform;
 mod clip;
 

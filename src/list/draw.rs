@@ -13,6 +13,7 @@ use crate::math::format::Coord;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
 use crate::raster::Traversal;
+use crate::retained::Records;
 use crate::setup::{canonical, facing};
 use crate::shade::{PixelShader, Shader};
 use crate::snapped::{Snapped, first_centre};
@@ -31,6 +32,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         pose: &Pose,
         shader: &S,
     ) -> Result<(), DrawError> {
+        self.records = Records::NONE;
         let viewport = camera.viewport()?;
         let transform = Transform::new(viewport, camera.matrix(), mesh, pose);
         let faces = mesh.faces().len();

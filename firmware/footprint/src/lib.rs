@@ -87,7 +87,7 @@ pub fn draw<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
     if list.draw(black_box(camera), mesh(), &turned, shader).is_ok() {
         for top in (0..PANEL.height as i32).step_by(usize::from(strip.height())) {
             strip.clear();
-            list.render(top..top + i32::from(strip.height()), strip);
+            list.render_next(top..top + i32::from(strip.height()), strip);
             black_box(strip.colours());
         }
     }
