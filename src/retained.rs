@@ -34,16 +34,14 @@ impl<'w> Retained<'w> {
         W::load(&mut record.iter().map(Cell::get))
     }
 
-    /// Puts what a triangle is set up to that ends here. Where there is no room, there is none for any other after it.
+    /// Puts what a triangle is set up to that ends here, if there is room. All that is put after one that did not fit is
+    /// shorter than that one: it takes nothing then.
     #[inline(always)]
     pub(crate) fn put<W: Words>(&mut self, end: i32, value: impl FnOnce() -> W) {
         if end <= self.bottom {
             return;
         }
-        let Some((record, rest)) = self.put.split_at_checked(W::WORDS) else {
-            self.bottom = i32::MAX;
-            return;
-        };
+        let Some((record, rest)) = self.put.split_at_checked(W::WORDS) else { return };
         self.put = rest;
         let mut words = record.iter();
         value().store(&mut |word| {

@@ -396,9 +396,9 @@ fn in_order<D: Strips>(
     Ok(seen)
 }
 
-// Red when records outlive what they are of: `Records::NONE` left out in `DrawList::draw`, `clear` or `sort`, the comparison of
-// rows or the test for rows at all left out; when one is put that is not taken, or the other way round: `<` in place of `<=` or
-// `>=` in src/retained.rs, or room that is found again after there was none.
+// Red when records outlive what they are of: `Records::NONE` left out in `DrawList::draw` or `sort`, or in `render_next` where
+// there is no row, or the comparison of rows left out; and when one is put that is not taken, or taken that was not put: `<` in
+// place of `<=` or `>` of `>=` in src/retained.rs.
 #[test]
 fn strips_in_order_give_the_bytes_that_each_gives_by_itself() {
     let seen = Cell::new(0);
@@ -511,7 +511,7 @@ impl<'a> PixelShader<'a, u16> for ByCounted {
     }
 }
 
-// Red when planes are not kept, those of a triangle that goes on are found again, or more room is asked for than they take.
+// Red when nothing is taken, or records start over those that are taken: the places in `Records::start`.
 #[test]
 fn planes_are_found_once_where_there_is_room() {
     let positions = [[-32767, 32767, 0], [-32767, -32767, 0], [32767, -32767, 0], [32767, 32767, 0]];

@@ -219,7 +219,6 @@ impl<'a, P, D: Depth, T> DrawList<'a, P, D, T> {
         self.used_words = 0;
         self.used_triangles = 0;
         self.shaders.clear();
-        self.records = Records::NONE;
         self.stats = Stats::default();
     }
 
