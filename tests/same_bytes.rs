@@ -369,14 +369,20 @@ fn in_order<D: Strips>(
     let (mut top, mut is_drawn, mut seen) = (0, false, 0);
     for (number, &(height, between)) in strips.iter().enumerate() {
         let cells = 36 * height.max(1) as usize;
-        let mut part = |with: &mut dyn FnMut(&mut DrawList<'_, u16, D>, &mut Strip<'_, u16, D>)| {
+        let rows = top..top + height;
+        let mut part = |next: bool| {
             let mut frame = Frame { width: 36, colours: vec![BACKGROUND; cells], depths: vec![0; cells] };
-            with(&mut list, &mut D::strip(36, &mut frame.colours, &mut frame.depths));
+            let mut render = |strip: &mut Strip<'_, u16, D>| {
+                if next {
+                    list.render_next(rows.clone(), strip);
+                } else {
+                    list.render(rows.clone(), strip);
+                }
+            };
+            render(&mut D::strip(36, &mut frame.colours, &mut frame.depths));
             frame
         };
-        let rows = top..top + height;
-        let got = part(&mut |list, strip| list.render_next(rows.clone(), strip));
-        let expected = part(&mut |list, strip| list.render(rows.clone(), strip));
+        let (got, expected) = (part(true), part(false));
         got.same(&format!("strip {number}, {rows:?}"), &expected)?;
         seen += expected.colours.iter().filter(|&&colour| colour != BACKGROUND).count();
         top += height;
