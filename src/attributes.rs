@@ -2,7 +2,7 @@
 //!
 //! [`Attributes`] are a few [`Words`] of a list, mixed where an edge is clipped.
 
-use crate::math::format::Attribute;
+use crate::math::format::{Attribute, DepthCode, Inverse};
 use crate::math::product;
 
 /// How far a clipped vertex lies from the inner end of its edge: 0 to 1 in 30 fraction bits.
@@ -81,18 +81,26 @@ impl Attributes for () {
     fn mix(self, (): Self, _: Fraction) -> Self {}
 }
 
-impl Words for Attribute {
-    const WORDS: usize = 1;
+/// Scalars of 32 bits, signed or not.
+macro_rules! scalar {
+    ($($format:ty),*) => {$(
+        impl Words for $format {
+            const WORDS: usize = 1;
 
-    fn store(self, put: &mut impl FnMut(u32)) {
-        put(self.to_bits().cast_unsigned());
-    }
+            #[inline]
+            fn store(self, put: &mut impl FnMut(u32)) {
+                put(self.to_bits() as u32);
+            }
 
-    #[inline]
-    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
-        words.next().map(|word| Self::from_bits(word.cast_signed()))
-    }
+            #[inline]
+            fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+                words.next().map(|word| Self::from_bits(word as _))
+            }
+        }
+    )*};
 }
+
+scalar!(Attribute, DepthCode, Inverse);
 
 impl Attributes for Attribute {
     fn mix(self, to: Self, at: Fraction) -> Self {
@@ -125,19 +133,30 @@ impl Attributes for [u8; 3] {
     }
 }
 
-impl<A: Words> Words for [A; 2] {
-    const WORDS: usize = 2 * A::WORDS;
+macro_rules! array {
+    ($($n:literal: $($word:ident),*;)*) => {$(
+        // Written out: a loop over three elements stays a loop where code is compiled for size.
+        impl<A: Words> Words for [A; $n] {
+            const WORDS: usize = $n * A::WORDS;
 
-    fn store(self, put: &mut impl FnMut(u32)) {
-        for attribute in self {
-            attribute.store(put);
+            #[inline]
+            fn store(self, put: &mut impl FnMut(u32)) {
+                let [$($word),*] = self;
+                $($word.store(put);)*
+            }
+
+            #[inline]
+            fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+                $(let $word = A::load(words)?;)*
+                Some([$($word),*])
+            }
         }
-    }
+    )*};
+}
 
-    #[inline]
-    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
-        Some([A::load(words)?, A::load(words)?])
-    }
+array! {
+    2: a, b;
+    3: a, b, c;
 }
 
 impl<A: Attributes> Attributes for [A; 2] {
@@ -150,6 +169,7 @@ impl<A: Attributes> Attributes for [A; 2] {
 impl<A: Words, B: Words> Words for (A, B) {
     const WORDS: usize = A::WORDS + B::WORDS;
 
+    #[inline]
     fn store(self, put: &mut impl FnMut(u32)) {
         self.0.store(put);
         self.1.store(put);

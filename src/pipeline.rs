@@ -6,9 +6,11 @@
 
 use core::marker::PhantomData;
 
+use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::gradients::{Gradients, Plane};
 use crate::raster::{DrawSpan, Span, Traversal, Window};
+use crate::retained::Retained;
 use crate::run::Run;
 use crate::setup::Setup;
 use crate::shade::{DrawTriangle, PixelShader};
@@ -75,22 +77,80 @@ where
     D: Depth,
     Target: Surface<P, D>,
 {
+    draw_part::<P, S, T, D, Target, ()>(setup, shader, vertices, window, target, ())
+}
+
+/// The same for a triangle of which other parts may have been drawn before, or may follow.
+#[inline]
+pub(crate) fn draw_part<'a, P, S, T, D, Target, R>(
+    setup: &Setup,
+    shader: S,
+    vertices: Vertices<D::Varying, S::Vertex>,
+    window: &Window,
+    target: Target,
+    retained: R,
+) -> Result<(), Target::Error>
+where
+    P: Copy,
+    S: PixelShader<'a, P>,
+    T: Traversal,
+    D: Depth,
+    Target: Surface<P, D>,
+    R: Retain,
+{
     let Vertices { depths, inverses, attributes, colour } = vertices;
-    let onto = Onto::<T, D, Target> { setup, depths, window, target, traversal: PhantomData };
+    let onto = Onto::<T, D, Target, R> { setup, depths, window, target, retained, traversal: PhantomData };
     shader.choose(colour, attributes, inverses, onto)
 }
 
+/// What is known of a triangle whose parts are drawn one by one.
+pub(crate) trait Retain {
+    /// Its planes, if another part was drawn before.
+    fn take<W: Words>(&mut self) -> Option<W>;
+
+    /// Its planes, for parts that may follow.
+    fn put<W: Words>(&mut self, planes: impl FnOnce() -> W);
+}
+
+/// It is drawn as a whole.
+impl Retain for () {
+    #[inline(always)]
+    fn take<W: Words>(&mut self) -> Option<W> {
+        None
+    }
+
+    #[inline(always)]
+    fn put<W: Words>(&mut self, _: impl FnOnce() -> W) {}
+}
+
+/// Its first row, and the one after its last.
+impl Retain for (&mut Retained<'_>, [u16; 2]) {
+    #[inline(always)]
+    fn take<W: Words>(&mut self) -> Option<W> {
+        let (retained, [first, _]) = self;
+        retained.take(i32::from(*first))
+    }
+
+    #[inline(always)]
+    fn put<W: Words>(&mut self, planes: impl FnOnce() -> W) {
+        let (retained, [_, end]) = self;
+        retained.put(i32::from(*end), planes);
+    }
+}
+
 /// Where a triangle is drawn, whichever shader it is that draws it.
-struct Onto<'t, T, D: Depth, Target> {
+struct Onto<'t, T, D: Depth, Target, R> {
     setup: &'t Setup,
     depths: [D::Varying; 3],
     window: &'t Window,
     target: Target,
+    /// Its planes, where they are known from a part before.
+    retained: R,
     traversal: PhantomData<T>,
 }
 
-impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>> DrawTriangle<'a, P>
-    for Onto<'_, T, D, Target>
+impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>, R: Retain> DrawTriangle<'a, P>
+    for Onto<'_, T, D, Target, R>
 {
     type Output = Result<(), Target::Error>;
 
@@ -101,13 +161,26 @@ impl<'a, P: Copy, T: Traversal, D: Depth, Target: Surface<P, D>> DrawTriangle<'a
         triangle: S::Triangle,
         varyings: [S::Varying; 3],
     ) -> Self::Output {
-        let Self { setup, depths, window, target, traversal: _ } = self;
-        let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
-        let gradients = if nothing { Gradients::NONE } else { setup.gradients_from(0, 0) };
-        let depth = <D::Varying as Varying>::plane(&gradients, depths);
-        let varying = <S::Varying as Varying>::plane(&gradients, varyings);
+        let Self { setup, depths, window, target, mut retained, traversal: _ } = self;
+        let find = |gradients: &Gradients| {
+            let depth = <D::Varying as Varying>::plane(gradients, depths);
+            (depth, <S::Varying as Varying>::plane(gradients, varyings))
+        };
+        // In their place, whether they are taken or found: a small core has no registers for both.
+        let Some((depth, varying)) = Words::load(&mut core::iter::repeat(0)) else { return Ok(()) };
         let shading = Shading { shader, triangle, varying };
-        T::spans(setup, window, &mut Spanned::<P, S, D, Target> { target, depth, shading })
+        let mut spanned = Spanned::<P, S, D, Target> { target, depth, shading };
+        let nothing = const { <D::Varying as Varying>::NOTHING && <S::Varying as Varying>::NOTHING };
+        if !nothing {
+            // Planes start at the frame's corner: they are the same in all parts.
+            if let Some(planes) = retained.take() {
+                (spanned.depth, spanned.shading.varying) = planes;
+            } else {
+                (spanned.depth, spanned.shading.varying) = find(&setup.gradients_from(0, 0));
+            }
+            retained.put(|| (spanned.depth, spanned.shading.varying));
+        }
+        T::spans(setup, window, &mut spanned)
     }
 }
 

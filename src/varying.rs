@@ -3,6 +3,7 @@
 //! [`Varying`] is what set-up makes of three vertices: plane equations, stepped over the screen by wrapping additions.
 //! It is implemented for `()`, scalars, arrays and pairs, so that flat, Gouraud and textured triangles are one loop.
 
+use crate::attributes::Words;
 use crate::gradients::{Gradients, Plane};
 use crate::math::format::{Attribute, DepthCode, Inverse};
 
@@ -10,7 +11,9 @@ use crate::math::format::{Attribute, DepthCode, Inverse};
 ///
 /// All arithmetic wraps: sums of rounded gradients are right modulo 2^32, and at a pixel of the triangle the true value
 /// fits, so it is right there, however steep the plane is.
-pub trait Varying: Copy {
+///
+/// It can be stored as [`Words`], so that a list need not find a plane again in the next strip.
+pub trait Varying: Words {
     /// Whether it is nothing at all: its plane needs no gradients then.
     const NOTHING: bool = false;
 
@@ -24,6 +27,22 @@ pub trait Varying: Copy {
     /// `steps` times this, wrapping.
     #[must_use]
     fn times(self, steps: i32) -> Self;
+}
+
+impl<V: Varying> Words for Plane<V> {
+    const WORDS: usize = 3 * V::WORDS;
+
+    #[inline]
+    fn store(self, put: &mut impl FnMut(u32)) {
+        let Self { start, dx, dy } = self;
+        [start, dx, dy].store(put);
+    }
+
+    #[inline]
+    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+        let [start, dx, dy] = Words::load(words)?;
+        Some(Self { start, dx, dy })
+    }
 }
 
 impl<V: Varying> Plane<V> {

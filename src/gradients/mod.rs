@@ -44,14 +44,6 @@ enum Area {
 }
 
 impl Gradients {
-    /// Of no triangle: for planes of nothing.
-    pub(crate) const NONE: Self = Self {
-        edges: [[0; 2]; 2],
-        area: Area::Any(wide::Area { reciprocal: 0, shift: 1 }),
-        anchor: [0; 2],
-        to_anchor: [0; 2],
-    };
-
     /// Of a triangle in canonical order, with an area; `small` where no two vertices are 32 px or more apart on an axis.
     /// Planes start at the pixel in a column and a row, less than 2^13 of either from the first vertex.
     #[inline]

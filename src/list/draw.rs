@@ -15,6 +15,7 @@ use crate::math::matrix::Matrix;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
 use crate::raster::Traversal;
+use crate::retained::Records;
 use crate::setup::{canonical, facing};
 use crate::shade::{PixelShader, Shader, Uniforms};
 use crate::snapped::{Snapped, first_centre};
@@ -52,6 +53,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         layout: Layout,
         pixel: &ToKeep<'_, 'a, P, D>,
     ) -> Result<(), DrawError> {
+        self.records = Records::NONE;
         let viewport = (*viewport)?;
         let transform = Transform::new(viewport, matrix, mesh, pose);
         let faces = mesh.faces().len();

@@ -8,6 +8,7 @@ use heapless::Vec;
 use crate::depth::Depth;
 use crate::mesh::MeshError;
 use crate::raster::Spans;
+use crate::retained::Records;
 use crate::setup::Cull;
 use crate::shade::Uniforms;
 use crate::target::Rows;
@@ -187,6 +188,8 @@ pub struct DrawList<'a, P, D: Depth, T = Spans> {
     /// Columns and rows of the cameras' viewport.
     size: [i32; 2],
     stats: Stats,
+    /// What triangles are set up to that go on below the last strip, in the words that are not used.
+    records: Records,
     traversal: PhantomData<T>,
 }
 
@@ -216,6 +219,7 @@ impl<'a, P, D: Depth, T> DrawList<'a, P, D, T> {
             cull: Cull::Back,
             size: [0; 2],
             stats: Stats { faces: 0, culled: 0, outside: 0, clipped: 0, drawn: 0 },
+            records: Records::NONE,
             traversal: PhantomData,
         }
     }

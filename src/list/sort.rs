@@ -5,6 +5,7 @@ use core::hint::black_box;
 use super::{DrawList, ListTriangle};
 use crate::attributes::Words;
 use crate::depth::{Nearness, Painter};
+use crate::retained::Records;
 
 /// Triangles that 16 bits can tell apart.
 const MOST_SORTED: usize = 1 << 16;
@@ -66,6 +67,7 @@ impl<P, T> DrawList<'_, P, Painter, T> {
     /// # Errors
     /// The scratch is shorter than the list, or the list longer than 65 536 triangles; it stays as it was.
     pub fn sort(&mut self, scratch: &mut [[u16; 3]]) -> Result<(), SortError> {
+        self.records = Records::NONE;
         let Self { words, triangles, used_triangles, shaders, .. } = self;
         let triangles = triangles.get_mut(..*used_triangles).unwrap_or_default();
         let room = scratch.len().min(MOST_SORTED);

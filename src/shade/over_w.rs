@@ -1,5 +1,6 @@
 //! Texels over w: what is linear on the screen where w is not.
 
+use crate::attributes::Words;
 use crate::gradients::{Gradients, Plane};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
@@ -38,6 +39,24 @@ const GREATEST: i32 = i32::MAX - MARGIN + 1;
 
 /// The least 1/w of the upper octave that interpolation keeps in it.
 const LEAST_OF_OCTAVE: i32 = (1 << 30) + MARGIN;
+
+impl Words for OverW {
+    const WORDS: usize = 3;
+
+    #[inline]
+    fn store(self, put: &mut impl FnMut(u32)) {
+        let Self { q, texel: [u, v] } = self;
+        put(q.cast_unsigned());
+        put(u.cast_unsigned());
+        put(v.cast_unsigned());
+    }
+
+    #[inline]
+    fn load(words: &mut impl Iterator<Item = u32>) -> Option<Self> {
+        let mut next = || words.next().map(u32::cast_signed);
+        Some(Self { q: next()?, texel: [next()?, next()?] })
+    }
+}
 
 impl Varying for OverW {
     #[inline]

@@ -12,6 +12,7 @@ use crate::gradients::Plane;
 use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
 use crate::raster::{Span, Window};
+use crate::retained::Retained;
 use crate::run::Run;
 use crate::shade::PixelShader;
 
@@ -144,7 +145,7 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
     }
 
     /// The strip's part of some rows and columns of the frame. Its first row shows row `top` of the frame.
-    pub(crate) fn rows(&mut self, top: i32, rows: Range<i32>, columns: Range<i32>) -> Rows<'_, P, D> {
+    pub(crate) fn rows<'r>(&'r mut self, top: i32, rows: Range<i32>, columns: Range<i32>) -> Rows<'r, P, D> {
         let (width, height) = (i32::from(self.width), i32::from(self.height));
         Rows {
             cells: Cells {
@@ -157,6 +158,7 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
                 columns: columns.start.max(0)..columns.end.min(width),
                 rows: rows.start.max(top)..rows.end.min(top.saturating_add(height)),
             },
+            retained: Retained::NOTHING,
         }
     }
 }
@@ -165,15 +167,17 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
 pub(crate) struct Rows<'r, P, D: Depth> {
     /// The pixels that may be drawn.
     pub(crate) window: Window,
+    /// What triangles are set up to that go on above or below.
+    pub(crate) retained: Retained<'r>,
     cells: Cells<'r, P, D>,
 }
 
-impl<P, D: Depth> Rows<'_, P, D> {
+impl<'r, P, D: Depth> Rows<'r, P, D> {
     /// For one triangle. Its cells go from hand to hand by value: behind a pointer, each row would look up where they are.
     #[inline(always)]
-    pub(crate) fn lend(&mut self) -> (&Window, Cells<'_, P, D>) {
-        let Self { window, cells: Cells { colours, depths, width, origin } } = self;
-        (window, Cells { colours, depths: D::reborrow(depths), width: *width, origin: *origin })
+    pub(crate) fn lend(&mut self) -> (&Window, &mut Retained<'r>, Cells<'_, P, D>) {
+        let Self { window, retained, cells: Cells { colours, depths, width, origin } } = self;
+        (window, retained, Cells { colours, depths: D::reborrow(depths), width: *width, origin: *origin })
     }
 }
 

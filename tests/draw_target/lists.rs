@@ -11,14 +11,14 @@ use topleft::{
 use crate::support::counter::{Refused, StrictDisplay};
 
 /// A list with one large red triangle for a viewport of `size`.
-fn red<R>(size: Size, with: impl FnOnce(&DrawList<'_, Rgb565, Depth16>) -> R) -> R {
+fn red<R>(size: Size, with: impl FnOnce(&mut DrawList<'_, Rgb565, Depth16>) -> R) -> R {
     const POSITIONS: [[i16; 3]; 3] = [[-32767, 32767, 0], [-32767, -32767, 0], [32767, -32767, 0]];
     let mesh = Mesh::new(&POSITIONS, &[[0, 1, 2]]).expect("one face");
     let camera = Orthographic::new(size, 2.0, -1.0..1.0);
     let (mut words, mut triangles) = ([0; 32], [ListTriangle::EMPTY; 4]);
     let mut list = DrawList::new(&mut words, &mut triangles);
     list.draw(&camera, &mesh, &Pose::new(), &Flat::new(Rgb565::RED)).expect("one triangle fits");
-    with(&list)
+    with(&mut list)
 }
 
 // Red when `present` sends a strip in more than one call, or forgets the last rows: src/list/render.rs, `send`.

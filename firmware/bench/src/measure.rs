@@ -150,13 +150,13 @@ impl<'c> Bench<'c> {
         let pixels = {
             let mut list = DrawList::with_traversal(words, triangles);
             case.draw::<Counting>(&mut list).expect(fits);
-            tops().for_each(|top| list.render(part(top), &mut strip));
+            tops().for_each(|top| list.render_next(part(top), &mut strip));
             Counting::take()
         };
         let setup: u64 = {
             let mut list = DrawList::with_traversal(words, triangles);
             case.draw::<Nothing>(&mut list).expect(fits);
-            tops().map(|top| self.time(Part::Setup, &mut || list.render(part(top), &mut strip))).sum()
+            tops().map(|top| self.time(Part::Setup, &mut || list.render_next(part(top), &mut strip))).sum()
         };
         let mut list = DrawList::<_, _, T>::with_traversal(words, triangles);
         let vertex = self.time(Part::Vertex, &mut || {
@@ -166,7 +166,7 @@ impl<'c> Bench<'c> {
         let (mut clear, mut render, mut crc) = (0, 0, Crc::new());
         for top in tops() {
             clear += self.time(Part::Clear, &mut || strip.clear());
-            render += self.time(Part::Render, &mut || list.render(part(top), &mut strip));
+            render += self.time(Part::Render, &mut || list.render_next(part(top), &mut strip));
             crc.add(strip.colours());
         }
         (self.report)(&Row {

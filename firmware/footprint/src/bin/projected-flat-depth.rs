@@ -17,7 +17,7 @@ footprint::image!(|memory| {
         .draw_projected(black_box(footprint::PANEL), vertices, cube.faces(), cube.face_colours(), &FlatPixel)
         .is_ok()
     {
-        footprint::render(&list, &mut strip);
+        footprint::render(&mut list, &mut strip);
     }
 });
 

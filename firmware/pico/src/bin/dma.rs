@@ -33,7 +33,7 @@ mod image {
                 let Ok(strip) = strip else { panic!("a strip is whole rows of the panel") };
                 let mut strip = strip.with_background(background);
                 strip.clear();
-                list.render(top as i32..(top + STRIP_ROWS) as i32, &mut strip);
+                list.render_next(top as i32..(top + STRIP_ROWS) as i32, &mut strip);
                 let Ok(()) = label(&mut Cells::new(cells, top), left_out);
                 (panel, cells) = panel.exchange(cells, top);
             }
