@@ -83,7 +83,8 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
                 *one = colour;
             }
         } else {
-            for place in self.pixels() {
+            let step = core::hint::black_box(self.step);
+            for place in (Self { step, ..self }).pixels() {
                 place.shade(|| colour);
             }
         }
@@ -94,12 +95,7 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
     #[inline(always)]
     pub fn visible(self, mut shade: impl FnMut(i32, &mut [P])) {
         let Self { colours, depths, depth, step } = self;
-        D::runs(depths, colours.len(), depth, step, |run| {
-            let start = run.start as i32;
-            if let Some(colours) = colours.get_mut(run) {
-                shade(start, colours);
-            }
-        });
+        D::runs(colours, depths, depth, step, |skipped, shown| shade(skipped as i32, shown));
     }
 
     /// The pixels, from left to right, each to be tested: for what costs little.

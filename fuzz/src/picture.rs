@@ -170,7 +170,7 @@ impl Picture<'_> {
     /// A display is sent what strips show, once.
     fn check_display<P, D, T>(
         &self,
-        list: &DrawList<'_, P, D, T>,
+        list: &mut DrawList<'_, P, D, T>,
         strips: impl Fn(Range<i32>, usize) -> Frame<P>,
     ) -> Result<(), String>
     where

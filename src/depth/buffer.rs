@@ -3,8 +3,6 @@
 //! `1 - z / w` is interpolated in 32 fraction bits, between margins that keep the wrapping plane from crossing an end of its
 //! range. At each pixel a [`Code`] makes 16 bits of it: 0 is cleared, and greater is nearer.
 
-use core::ops::Range;
-
 use super::Depth;
 use crate::attributes::Words;
 use crate::math::format::DepthCode;
@@ -63,27 +61,32 @@ impl<C: Code> Depth for C {
     }
 
     #[inline(always)]
-    fn runs(
+    fn runs<P>(
+        mut colours: &mut [P],
         mut cells: Self::Plane<'_>,
-        _: usize,
         start: DepthCode,
         step: DepthCode,
-        mut visible: impl FnMut(Range<usize>),
+        mut visible: impl FnMut(usize, &mut [P]),
     ) {
-        let (mut at, mut depth, step) = (0, start.to_bits(), step.to_bits());
+        let (mut skipped, mut depth, step) = (0, start.to_bits(), step.to_bits());
         // Visible first: most spans are visible to their end.
         loop {
-            let nearer = cover::<C>(cells, depth, step);
-            if nearer != 0 {
-                visible(at..at + nearer);
+            let nearer = cells.len() - cover::<C>(cells, depth, step);
+            let Some((shown, rest)) = colours.split_at_mut_checked(nearer) else { return };
+            if !shown.is_empty() {
+                visible(skipped, shown);
             }
-            let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
+            if rest.is_empty() {
+                return;
+            }
+            let Some(behind) = cells.get_mut(nearer..) else { return };
             depth = depth.wrapping_add(step.wrapping_mul(nearer as u32));
-            let hidden = hidden::<C>(rest, depth, step);
+            let hidden = behind.len() - hidden::<C>(behind, depth, step);
             let Some(rest) = rest.get_mut(hidden..).filter(|rest| !rest.is_empty()) else { return };
+            let Some(behind) = behind.get_mut(hidden..) else { return };
             depth = depth.wrapping_add(step.wrapping_mul(hidden as u32));
-            at += nearer + hidden;
-            cells = rest;
+            skipped += nearer + hidden;
+            (colours, cells) = (rest, behind);
         }
     }
 
@@ -98,25 +101,25 @@ impl<C: Code> Depth for C {
     }
 }
 
-/// How many cells from the first on are as near as the plane, or nearer.
+/// How many cells are left after those from the first on that are as near as the plane, or nearer.
 #[inline(never)]
 fn hidden<C: Code>(cells: &[u16], mut depth: u32, step: u32) -> usize {
-    let mut count = 0;
+    let mut left = cells.len();
     for &cell in cells {
         core::hint::black_box(());
         if C::of(depth) > u32::from(cell) {
             break;
         }
         depth = depth.wrapping_add(step);
-        count += 1;
+        left -= 1;
     }
-    count
+    left
 }
 
-/// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many they were.
+/// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many are left.
 #[inline(never)]
 fn cover<C: Code>(cells: &mut [u16], mut depth: u32, step: u32) -> usize {
-    let mut count = 0;
+    let mut left = cells.len();
     for cell in cells {
         // Keeps the loop as it is: unrolled, it needs more registers than a small core has.
         core::hint::black_box(());
@@ -124,9 +127,9 @@ fn cover<C: Code>(cells: &mut [u16], mut depth: u32, step: u32) -> usize {
             break;
         }
         depth = depth.wrapping_add(step);
-        count += 1;
+        left -= 1;
     }
-    count
+    left
 }
 
 /// A vertex's depth.

@@ -3,8 +3,6 @@
 //! Each way to decide it has a file: [`NoDepth`] does not, [`Painter`] has decided before, and [`Depth16`] and
 //! [`DepthFloat`] keep the nearest depth of each pixel in a [`buffer`].
 
-use core::ops::Range;
-
 use crate::attributes::Words;
 use crate::varying::Varying;
 
@@ -63,15 +61,15 @@ pub trait Depth {
     #[doc(hidden)]
     fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;
 
-    /// Calls `visible` with each run of the plane's cells that `start`, and `step` more from one to the next, is nearer
-    /// than.
+    /// Calls `visible` with each run of the colours whose cells `start`, and `step` more from one to the next, is nearer
+    /// than, and how far from the first it starts.
     #[doc(hidden)]
-    fn runs(
+    fn runs<P>(
+        colours: &mut [P],
         plane: Self::Plane<'_>,
-        length: usize,
         start: Self::Varying,
         step: Self::Varying,
-        visible: impl FnMut(Range<usize>),
+        visible: impl FnMut(usize, &mut [P]),
     );
 
     /// Whether `depth` is nearer than the cell, which is that far away from now on.

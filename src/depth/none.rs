@@ -1,7 +1,5 @@
 //! Nothing hides anything.
 
-use core::ops::Range;
-
 use super::Depth;
 
 /// No depth: what is drawn later hides what was drawn before.
@@ -43,8 +41,8 @@ impl Depth for NoDepth {
     }
 
     #[inline(always)]
-    fn runs((): Self::Plane<'_>, length: usize, (): (), (): (), mut visible: impl FnMut(Range<usize>)) {
-        visible(0..length);
+    fn runs<P>(colours: &mut [P], (): (), (): (), (): (), mut visible: impl FnMut(usize, &mut [P])) {
+        visible(0, colours);
     }
 
     #[inline(always)]

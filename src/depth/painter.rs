@@ -3,8 +3,6 @@
 //! A vertex carries one word of depth, and no pixel anything: the triangles of a list are put in order once a frame, by
 //! [`DrawList::sort`](crate::DrawList::sort).
 
-use core::ops::Range;
-
 use super::{Depth, NoDepth};
 use crate::attributes::Words;
 
@@ -53,8 +51,8 @@ impl Depth for Painter {
     }
 
     #[inline(always)]
-    fn runs((): Self::Plane<'_>, length: usize, (): (), (): (), visible: impl FnMut(Range<usize>)) {
-        NoDepth::runs((), length, (), (), visible);
+    fn runs<P>(colours: &mut [P], (): (), (): (), (): (), visible: impl FnMut(usize, &mut [P])) {
+        NoDepth::runs(colours, (), (), (), visible);
     }
 
     #[inline(always)]

@@ -202,11 +202,12 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
     ) -> Result<(), Infallible> {
         let Self { colours, depths, width, origin } = self;
         // The window lies inside the strip: cells are at least zero here.
-        let row = span.y.wrapping_mul(*width).wrapping_add(*origin);
+        let y = if D::ALWAYS_VISIBLE { span.y } else { core::hint::black_box(span.y) };
+        let row = y.wrapping_mul(*width).wrapping_add(*origin);
         let (first, length) = ((row + span.start) as usize, (span.end - span.start) as usize);
         let Some((colours, depths)) = D::span(colours, depths, first, length) else { return Ok(()) };
-        let run = Run::<P, D> { colours, depths, depth: depth.at(span.start, span.y), step: depth.dx };
-        shading.shade(span.start, span.y, run);
+        let run = Run::<P, D> { colours, depths, depth: depth.at(span.start, y), step: depth.dx };
+        shading.shade(span.start, y, run);
         Ok(())
     }
 }

@@ -117,6 +117,7 @@ pub(super) fn draw(table: &Table, core: &Core) -> String {
         let mut labels = Labels::new([[low[0] + 3, low[1] + 3], [high[0] - 3, high[1] - 3]]);
         for (error, name) in [(0.0625, "1/16 texel"), (0.25, "1/4 texel"), (1.0, "1 texel")] {
             labels.keep_block_clear(panel.rule_across(canvas, error, name));
+            labels.keep_line_clear(panel.x.ends.map(|cost| panel.at(cost, error)));
         }
         for (cost, name) in core.budgets {
             let Some(block) = panel.rule_upright(canvas, cost, name) else { continue };

@@ -52,7 +52,7 @@ impl Labels {
                 let middle = y + down * (HEIGHT + 2) * if right == 0 { ring } else { 1.max(ring - 1) };
                 let block = [[left, middle - HEIGHT / 2 - 1], [left + wide, middle + HEIGHT / 2 + 1]];
                 if self.is_free(block) {
-                    if ring > 2 {
+                    if ring > 1 {
                         let end = [across - 2 * right, middle - down * (HEIGHT / 2)];
                         canvas.line(&[[x + right * 6, y + down * 6], end], colour, 1);
                     }
