@@ -163,7 +163,8 @@ impl Picture<'_> {
         let strips = |rows: Range<i32>, height| rendered(&list, self.columns, rows, height, P::BLACK);
         let frame = strips(self.rows.clone(), self.rows.len());
         strips(self.rows.clone(), self.height).same("strips", &frame)?;
-        self.check_display(&list, strips)?;
+        let shown = strips(0..self.display[1].cast_signed(), self.height);
+        self.check_display(&mut list, &shown)?;
         Ok((outcomes, frame))
     }
 
@@ -171,7 +172,7 @@ impl Picture<'_> {
     fn check_display<P, D, T>(
         &self,
         list: &mut DrawList<'_, P, D, T>,
-        strips: impl Fn(Range<i32>, usize) -> Frame<P>,
+        shown: &Frame<P>,
     ) -> Result<(), String>
     where
         P: Pixel + PixelColor + RgbColor + Debug,
@@ -184,7 +185,6 @@ impl Picture<'_> {
         let (mut colours, mut depths) = (vec![P::BLACK; cells], vec![0; cells]);
         let mut strip = D::strip(self.columns as u16, &mut colours, &mut depths);
         list.present(&mut strip, &mut display).map_err(|error| format!("{error:?}"))?;
-        let shown = strips(0..height.cast_signed(), self.height);
         let seen = |(index, _): (usize, _)| {
             let (x, y) = (index % width as usize, index / width as usize);
             (x < self.columns).then(|| shown.colours[y * self.columns + x])

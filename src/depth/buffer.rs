@@ -62,7 +62,7 @@ impl<C: Code> Depth for C {
 
     #[inline(always)]
     fn runs<P>(
-        mut colours: &mut [P],
+        colours: &mut [P],
         mut cells: Self::Plane<'_>,
         start: DepthCode,
         step: DepthCode,
@@ -72,21 +72,18 @@ impl<C: Code> Depth for C {
         // Visible first: most spans are visible to their end.
         loop {
             let nearer = cells.len() - cover::<C>(cells, depth, step);
-            let Some((shown, rest)) = colours.split_at_mut_checked(nearer) else { return };
-            if !shown.is_empty() {
-                visible(skipped, shown);
+            if nearer != 0 {
+                if let Some(shown) = colours.get_mut(skipped..skipped + nearer) {
+                    visible(skipped, shown);
+                }
             }
-            if rest.is_empty() {
-                return;
-            }
-            let Some(behind) = cells.get_mut(nearer..) else { return };
+            let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
             depth = depth.wrapping_add(step.wrapping_mul(nearer as u32));
-            let hidden = behind.len() - hidden::<C>(behind, depth, step);
+            let hidden = rest.len() - hidden::<C>(rest, depth, step);
             let Some(rest) = rest.get_mut(hidden..).filter(|rest| !rest.is_empty()) else { return };
-            let Some(behind) = behind.get_mut(hidden..) else { return };
             depth = depth.wrapping_add(step.wrapping_mul(hidden as u32));
             skipped += nearer + hidden;
-            (colours, cells) = (rest, behind);
+            cells = rest;
         }
     }
 
@@ -119,6 +116,7 @@ fn hidden<C: Code>(cells: &[u16], mut depth: u32, step: u32) -> usize {
 /// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many are left.
 #[inline(never)]
 fn cover<C: Code>(cells: &mut [u16], mut depth: u32, step: u32) -> usize {
+    // Counted down, as the loop is: another register would go to the stack and back.
     let mut left = cells.len();
     for cell in cells {
         // Keeps the loop as it is: unrolled, it needs more registers than a small core has.
