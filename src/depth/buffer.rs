@@ -50,9 +50,11 @@ impl<C: Code> Depth for C {
         first: usize,
         length: usize,
     ) -> Option<(&'p mut [P], &'p mut [u16])> {
-        // One range of both, so that its ends are compared once.
-        let cells = first..first.wrapping_add(length);
-        Some((colours.get_mut(cells.clone())?, plane.get_mut(cells)?))
+        let end = first.checked_add(length)?;
+        if end > colours.len() || end > plane.len() {
+            return None;
+        }
+        Some((colours.get_mut(first..end)?, plane.get_mut(first..end)?))
     }
 
     #[inline(always)]
