@@ -53,7 +53,6 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         layout: Layout,
         pixel: &ToKeep<'_, 'a, P, D>,
     ) -> Result<(), DrawError> {
-        self.records = Records::NONE;
         let viewport = (*viewport)?;
         let transform = Transform::new(viewport, matrix, mesh, pose);
         let faces = mesh.faces().len();
@@ -108,6 +107,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         &ToKeep { uniforms, draw, stride }: &ToKeep<'_, 'a, P, D>,
         vertices: usize,
     ) -> Result<(u8, usize), DrawError> {
+        // What comes now may need the words that planes are kept in.
+        self.records = Records::NONE;
         for (place, kept) in self.shaders.iter().enumerate() {
             let base = kept.block.base();
             let named = (self.used_words - base).div_ceil(stride);

@@ -8,3 +8,4 @@ mod same_bytes;
 mod coverage;
 mod any_input;
 mod errors;
+mod in_order;
