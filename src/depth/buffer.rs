@@ -102,34 +102,35 @@ impl<C: Code> Depth for C {
 
 /// How many cells are left after those from the first on that are as near as the plane, or nearer.
 #[inline(never)]
-fn hidden<C: Code>(cells: &[u16], mut depth: u32, step: u32) -> usize {
-    let mut left = cells.len();
-    for &cell in cells {
+fn hidden<C: Code>(mut cells: &[u16], mut depth: u32, step: u32) -> usize {
+    while let [cell, rest @ ..] = cells {
         core::hint::black_box(());
-        if C::of(depth) > u32::from(cell) {
+        if C::of(depth) > u32::from(*cell) {
             break;
         }
         depth = depth.wrapping_add(step);
-        left -= 1;
+        cells = rest;
     }
-    left
+    cells.len()
 }
 
 /// Writes the plane into the cells that it is nearer than, up to the first that it is not; how many are left.
 #[inline(never)]
-fn cover<C: Code>(cells: &mut [u16], mut depth: u32, step: u32) -> usize {
-    // Counted down, as the loop is: another register would go to the stack and back.
-    let mut left = cells.len();
-    for cell in cells {
+fn cover<C: Code>(mut cells: &mut [u16], mut depth: u32, step: u32) -> usize {
+    loop {
         // Keeps the loop as it is: unrolled, it needs more registers than a small core has.
         core::hint::black_box(());
-        if !C::cover(cell, DepthCode::from_bits(depth)) {
-            break;
+        match cells {
+            [cell, rest @ ..] => {
+                if !C::cover(cell, DepthCode::from_bits(depth)) {
+                    return rest.len() + 1;
+                }
+                depth = depth.wrapping_add(step);
+                cells = rest;
+            }
+            [] => return 0,
         }
-        depth = depth.wrapping_add(step);
-        left -= 1;
     }
-    left
 }
 
 /// A vertex's depth.
