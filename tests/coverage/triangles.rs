@@ -105,3 +105,21 @@ fn all_triangles_of_a_half_pixel_lattice_are_exact() {
     }
     println!("{count} triangles");
 }
+
+// Red when `ShortEdge::suits` in src/raster/edge/short.rs looks at columns that have wrapped: without `few`.
+#[test]
+fn no_pixel_lies_outside_of_a_window_whatever_its_columns() {
+    let triangle = [[300, 300], [5_000, 900], [700, 4_700]];
+    let ends = [i32::MIN, -1 << 24, -2_048, -1, 0, 3, 9, 2_047, 2_048, 1 << 23, 1 << 24, i32::MAX];
+    for start in ends {
+        for end in ends {
+            let window = Window { columns: start..end, rows: 0..32 };
+            let spans = expected(triangle, &window);
+            assert_eq!(spans.is_empty(), start.max(1) >= end.min(20), "{window:?}");
+            compare::<Spans>(triangle, &window, &spans)
+                .and_then(|()| compare::<BoxWalk>(triangle, &window, &spans))
+                .and_then(|()| compare::<BySize>(triangle, &window, &spans))
+                .unwrap_or_else(|error| panic!("{window:?}: {error}"));
+        }
+    }
+}

@@ -36,17 +36,23 @@ impl ShortEdge {
         let [a, b, c] = setup.points();
         let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
         let (left, right) = (columns.start << SUBPIXEL_BITS, columns.end << SUBPIXEL_BITS);
-        // Sign bits: one test for all.
-        let beyond = (ax - left) | (bx - left) | (cx - left) | (right - ax) | (right - bx) | (right - cx);
-        let fits =
-            |upper: i32, lower: i32| lower - upper >= LOWEST || first_centre(upper) == first_centre(lower);
-        setup.is_small()
-            && beyond >= 0
-            && columns.start >= -COLUMNS
-            && columns.end <= COLUMNS
-            && fits(ay, by)
-            && fits(by, cy)
+        // Sign bits: one test for all. Columns may be any, even from their end to their start: none of those has room.
+        let beyond = |low: i32, high: i32| high.wrapping_sub(low);
+        let inside = |x: i32| beyond(left, x) | beyond(x, right);
+        let few = beyond(-COLUMNS, columns.start)
+            | beyond(columns.start, columns.end)
+            | beyond(columns.end, COLUMNS);
+        let room = inside(ax) | inside(bx) | inside(cx) | few;
+        // And one more: of most triangles, no edge is low.
+        let low = beyond(ay + LOWEST, by) | beyond(by + LOWEST, cy);
+        setup.is_small() && room >= 0 && (low >= 0 || (fits(ay, by) && fits(by, cy)))
     }
+}
+
+/// Whether an edge's slope fits: it is high enough, or crosses no row.
+#[inline(never)]
+fn fits(upper: i32, lower: i32) -> bool {
+    lower - upper >= LOWEST || first_centre(upper) == first_centre(lower)
 }
 
 impl Edge for ShortEdge {
