@@ -83,6 +83,7 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
                 *one = colour;
             }
         } else {
+            // Opaque, it is loaded before the loop and not at each pixel.
             let step = core::hint::black_box(self.step);
             for place in (Self { step, ..self }).pixels() {
                 place.shade(|| colour);

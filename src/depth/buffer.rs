@@ -74,10 +74,10 @@ impl<C: Code> Depth for C {
         // Visible first: most spans are visible to their end.
         loop {
             let nearer = cells.len() - cover::<C>(cells, depth, step);
-            if nearer != 0 {
-                if let Some(shown) = colours.get_mut(skipped..skipped + nearer) {
-                    visible(skipped, shown);
-                }
+            if nearer != 0
+                && let Some(shown) = colours.get_mut(skipped..skipped + nearer)
+            {
+                visible(skipped, shown);
             }
             let Some(rest) = cells.get_mut(nearer..).filter(|rest| !rest.is_empty()) else { return };
             depth = depth.wrapping_add(step.wrapping_mul(nearer as u32));

@@ -202,6 +202,8 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
     ) -> Result<(), Infallible> {
         let Self { colours, depths, width, origin } = self;
         // The window lies inside the strip: cells are at least zero here.
+        // With depth the row is opaque: a small core would step two products of it from row to row in registers that the loop
+        // over pixels needs.
         let y = if D::ALWAYS_VISIBLE { span.y } else { core::hint::black_box(span.y) };
         let row = y.wrapping_mul(*width).wrapping_add(*origin);
         let (first, length) = ((row + span.start) as usize, (span.end - span.start) as usize);
