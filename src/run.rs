@@ -1,6 +1,7 @@
 //! Stages 6 and 7. The pixels of a span on their way to the target: depth decides which of them are shaded.
 
 use crate::depth::{Depth, NoDepth};
+use crate::math::product::NARROW;
 use crate::varying::Varying;
 
 /// Some pixels of a row, ready to be shaded: their colours, and what lies there already.
@@ -83,8 +84,8 @@ impl<'r, P, D: Depth> Run<'r, P, D> {
                 *one = colour;
             }
         } else {
-            // Opaque, it is loaded before the loop and not at each pixel.
-            let step = core::hint::black_box(self.step);
+            // Opaque, it is loaded before the loop and not at each pixel: where registers are few.
+            let step = if NARROW { core::hint::black_box(self.step) } else { self.step };
             for place in (Self { step, ..self }).pixels() {
                 place.shade(|| colour);
             }

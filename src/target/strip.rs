@@ -181,6 +181,10 @@ impl<'r, P, D: Depth> Rows<'r, P, D> {
     }
 }
 
+/// Whether a row is opaque where there is depth: the compiler would step two products of it from row to row, in registers that
+/// the loop over pixels needs on ARM cores of 32 bits. Others have enough.
+const FEW_REGISTERS: bool = cfg!(target_arch = "arm");
+
 /// The cells of a strip.
 pub(crate) struct Cells<'r, P, D: Depth> {
     colours: &'r mut [P],
@@ -202,9 +206,7 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
     ) -> Result<(), Infallible> {
         let Self { colours, depths, width, origin } = self;
         // The window lies inside the strip: cells are at least zero here.
-        // With depth the row is opaque: a small core would step two products of it from row to row in registers that the loop
-        // over pixels needs.
-        let y = if D::ALWAYS_VISIBLE { span.y } else { core::hint::black_box(span.y) };
+        let y = if D::ALWAYS_VISIBLE || !FEW_REGISTERS { span.y } else { core::hint::black_box(span.y) };
         let row = y.wrapping_mul(*width).wrapping_add(*origin);
         let (first, length) = ((row + span.start) as usize, (span.end - span.start) as usize);
         let Some((colours, depths)) = D::span(colours, depths, first, length) else { return Ok(()) };
