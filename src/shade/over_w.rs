@@ -119,7 +119,10 @@ impl TexelBox {
         let ends = |[a, b, c]: [i32; 3]| (a.min(b).min(c) >> 16, a.max(b).max(c));
         let ((least_u, most_u), (least_v, most_v)) = (ends([a[0], b[0], c[0]]), ends([a[1], b[1], c[1]]));
         let span = above(most_u, least_u).max(above(most_v, least_v));
-        let span_log2 = (32 - span.saturating_sub(1).leading_zeros()).saturating_sub(16);
+        let most = span.saturating_sub(1);
+        // Sought from those of 16 texels, where counting zeros is a call.
+        let zeros = if product::NARROW { recip::normalising(most, 12) } else { most.leading_zeros() };
+        let span_log2 = 16_u32.saturating_sub(zeros);
         Self { least: [least_u, least_v], span_log2, octave: false }
     }
 

@@ -47,20 +47,29 @@ use crate::varying::Varying;
 pub struct Within {
     /// In 16 fraction bits.
     error: u32,
+    /// What is left of it for triangles that are affine: moving texels rounds to 2^-16, and by a reciprocal that is right to
+    /// 2^-13. As much as 2^14 texels stand for all that is more.
+    affine: u32,
 }
 
 impl Within {
     /// An error of at most so many texels: from 0 to 32 768, in steps of 2^-16. Less than 0 is 0.
     pub const fn texels(error: Attribute) -> Self {
         let bits = error.to_bits();
-        Self { error: if bits < 0 { 0 } else { bits.cast_unsigned() } }
+        Self::steps(if bits < 0 { 0 } else { bits.cast_unsigned() })
+    }
+
+    /// So many steps of 2^-16.
+    const fn steps(error: u32) -> Self {
+        let left = error.saturating_sub((error >> 12) + 2);
+        Self { error, affine: if left < 1 << 30 { left } else { (1 << 30) - 1 } }
     }
 }
 
 /// A quarter of a texel.
 impl Default for Within {
     fn default() -> Self {
-        Self { error: 1 << 14 }
+        Self::steps(1 << 14)
     }
 }
 
@@ -78,12 +87,12 @@ impl Correction for Within {
     const PERSPECTIVE: bool = true;
 
     fn words(self) -> [u32; 2] {
-        [self.error, 0]
+        [self.error, self.affine]
     }
 
     #[inline]
-    fn from_words([error, _]: [u32; 2]) -> Self {
-        Self { error }
+    fn from_words([error, affine]: [u32; 2]) -> Self {
+        Self { error, affine }
     }
 
     #[inline]
@@ -172,38 +181,39 @@ impl Within {
         self,
         texel_box: &TexelBox,
         texels: &mut [[Attribute; 2]; 3],
-        [qa, qb, qc]: [i32; 3],
+        q: [i32; 3],
         sizes_log2: [u8; 2],
     ) -> Option<[[u32; 2]; 3]> {
         let span_log2 = texel_box.span_log2;
-        if (qa == qb && qb == qc) || self.error >> span_log2 >= 1 << 16 {
+        if self.error >> span_log2 >= 1 << 16 {
             return None;
         }
         // All in 15 fraction bits: 1/w, and parts of the box.
-        let [qa, qb, qc] = [qa >> 16, qb >> 16, qc >> 16];
+        let [qa, qb, qc] = q.map(|q| q >> 16);
         let (least, most) = (qa.min(qb).min(qc), qa.max(qb).max(qc));
         // Three times the least and the middle one: what is least of an edge's greater and three times its lesser.
         let edge = (2 * least + qa + qb + qc - most).cast_unsigned();
-        // 8 e / U, of 1/w. Moving texels rounds to 2^-16, and by a reciprocal that is right to 2^-13.
-        let error = self.error.saturating_sub((self.error >> 12) + 2);
-        let eighth = if span_log2 < 2 { error << (2 - span_log2) } else { error >> (span_log2 - 2) };
+        // 8 e / U, of 1/w.
+        let eighth = self.affine << 2 >> (span_log2 & 31);
         let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
-        // Most small triangles: no edge has more of either.
-        if bend.bears((most - least).unsigned_abs() << 15) {
+        // Most small triangles: no edge has more of either. And those that are level, whatever is allowed.
+        if bend.bears((most - least).unsigned_abs() << 15) || (q[0] == q[1] && q[1] == q[2]) {
             return None;
         }
         let parts = texel_box.parts(*texels);
         let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
         let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
-        let along = |a: i32, b: i32, c: i32| {
-            let edges = [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
-            let [d, e, f] = edges;
-            [d.max(e).max(f).max(0), d.min(e).min(f).min(0)]
-        };
+        let edges = |a: i32, b: i32, c: i32| [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
+        let (u, v) = (edges(au, bu, cu), edges(av, bv, cv));
+        // Most others.
+        if bend.bears_all([u, v]) {
+            return None;
+        }
+        let ends = |[d, e, f]: [i32; 3]| [d.max(e).max(f).max(0), d.min(e).min(f).min(0)];
         let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
         let [width, height] = sizes_log2;
-        let Some(u) = bend.moved([a[0], b[0], c[0]], along(au, bu, cu), width) else { return Some(parts) };
-        let Some(v) = bend.moved([a[1], b[1], c[1]], along(av, bv, cv), height) else { return Some(parts) };
+        let Some(u) = bend.moved([a[0], b[0], c[0]], ends(u), width) else { return Some(parts) };
+        let Some(v) = bend.moved([a[1], b[1], c[1]], ends(v), height) else { return Some(parts) };
         let ([au, bu, cu], [av, bv, cv]) = (u, v);
         *texels = [[au, av], [bu, bv], [cu, cv]].map(|texel| texel.map(Attribute::from_bits));
         None
@@ -235,6 +245,16 @@ impl Bend {
     #[inline(always)]
     fn bears(&self, edge: u32) -> bool {
         2 * edge + ROUNDING <= self.allowed
+    }
+
+    /// The same of all edges on both axes: by sign bits, as each is less than 2^30 either way.
+    #[inline(always)]
+    fn bears_all(&self, axes: [[i32; 3]; 2]) -> bool {
+        let most = (self.allowed.cast_signed() - ROUNDING.cast_signed()) >> 1;
+        let beyond = |edge: i32| (most - edge) | (most + edge);
+        let any = |[d, e, f]: [i32; 3]| beyond(d) | beyond(e) | beyond(f);
+        let [u, v] = axes;
+        any(u) | any(v) >= 0
     }
 
     /// The texels of three vertices on an axis, moved as far as it needs, if that is enough; `most` and `least` are the ends
