@@ -111,7 +111,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         self.records = Records::NONE;
         for (place, kept) in self.shaders.iter().enumerate() {
             let base = kept.block.base();
-            let named = (self.used_words - base).div_ceil(stride);
+            let named = (self.used_words - base + stride - 1).checked_div(stride).unwrap_or_default();
             let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms.is(uniforms);
             if same && named + vertices <= MAX_NAMED {
                 // Other shaders' vertices may lie between: the next ones start at a whole number of these.
