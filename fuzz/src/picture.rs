@@ -169,11 +169,7 @@ impl Picture<'_> {
     }
 
     /// A display is sent what strips show, once.
-    fn check_display<P, D, T>(
-        &self,
-        list: &mut DrawList<'_, P, D, T>,
-        shown: &Frame<P>,
-    ) -> Result<(), String>
+    fn check_display<P, D, T>(&self, list: &mut DrawList<'_, P, D, T>, shown: &Frame<P>) -> Result<(), String>
     where
         P: Pixel + PixelColor + RgbColor + Debug,
         D: Strips,
