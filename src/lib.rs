@@ -54,8 +54,8 @@
 //! culled: [`Hiding::cheapest`] tells which way is safe for a scene.
 //!
 //! The same list into a whole frame is `list.render(0..240, &mut frame)`, with a strip as tall as the target. Rendering
-//! changes nothing in the list, so two cores can render different rows of it. Strips
-//! that one core renders in order take fewer cycles by [`DrawList::render_next`].
+//! changes nothing in the list, so two cores can render different rows of it. Strips that one core renders in order take
+//! fewer cycles by [`DrawList::render_next`].
 //!
 //! # The way of the data
 //!
@@ -69,7 +69,7 @@
 //!    belongs to exactly one triangle: no cracks and no double hits, whatever the triangles, the strips or the traversal.
 //!    (`tests/coverage`, `tests/stability`)
 //! 2. **The same everywhere.** The same scene gives the same bytes, whole frame or in strips, whichever vertex a
-//!    triangle starts with, and whichever chip draws it. (`tests/same_bytes.rs`, `tests/projected`,
+//!    triangle starts with, and whichever chip draws it. (`tests/same_bytes`, `tests/projected`,
 //!    `firmware/bench/tests/same_everywhere.rs`)
 //! 3. **A stated error.** A value with 16 fraction bits, n columns and m rows from its triangle's first vertex, is off by
 //!    at most `(n + m + 2) 2^-17 + D 2^-30`, with D the largest difference between vertices; a texel that is found with
@@ -79,8 +79,8 @@
 //!    [`Depth16`], and that of a [`DepthFloat`] as it says.
 //!    (`tests/against_reference`, `tests/stability`)
 //! 4. **It does not fail.** Any `i32` and any `f32` is legal input. What cannot be drawn is clipped, culled, or left out
-//!    and counted; what does not fit is handed back to the caller. No panic can be reached in an image for a chip. (`tests/any_input`, `fuzz`,
-//!    `tools/link-check`)
+//!    and counted; what does not fit is handed back to the caller. No panic can be reached in an image for a chip.
+//!    (`tests/any_input`, `fuzz`, `tools/link-check`)
 //! 5. **Pay for what the scene uses.** Depth, texture, light and perspective are type parameters and shaders: a scene
 //!    without them has no buffer, no cycle and no code for them. Where nothing is hidden that a depth buffer would be needed
 //!    for, [`Hiding::cheapest`] says so. (`firmware/measure.sh`, `tests/hiding`)

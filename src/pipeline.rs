@@ -61,28 +61,10 @@ impl<'a, P, S: PixelShader<'a, P>> Shading<'a, P, S> {
     }
 }
 
-/// Draws a triangle of three vertices in canonical order.
+/// Draws a triangle of three vertices in canonical order, or the part of it that is in a window: what is `retained` of it
+/// is known from parts before.
 #[inline]
-pub(crate) fn draw<'a, P, S, T, D, Target>(
-    setup: &Setup,
-    shader: S,
-    vertices: Vertices<D::Varying, S::Vertex>,
-    window: &Window,
-    target: Target,
-) -> Result<(), Target::Error>
-where
-    P: Copy,
-    S: PixelShader<'a, P>,
-    T: Traversal,
-    D: Depth,
-    Target: Surface<P, D>,
-{
-    draw_part::<P, S, T, D, Target, ()>(setup, shader, vertices, window, target, ())
-}
-
-/// The same for a triangle of which other parts may have been drawn before, or may follow.
-#[inline]
-pub(crate) fn draw_part<'a, P, S, T, D, Target, R>(
+pub(crate) fn draw<'a, P, S, T, D, Target, R>(
     setup: &Setup,
     shader: S,
     vertices: Vertices<D::Varying, S::Vertex>,

@@ -126,8 +126,14 @@ fn draw<'a, C: Pixel + RgbColor, S: PixelShader<'a, C>, D: DrawTarget<Color = C>
         };
         let vertices =
             Vertices { depths: [(); 3], inverses: [PerVertexInverse::ONE; 3], attributes: [a, b, c], colour };
-        result =
-            pipeline::draw::<_, S, SharedSpans, NoDepth, _>(setup, shader, vertices, window, display.lend());
+        result = pipeline::draw::<_, S, SharedSpans, NoDepth, _, _>(
+            setup,
+            shader,
+            vertices,
+            window,
+            display.lend(),
+            (),
+        );
         result.is_ok()
     });
     result

@@ -50,6 +50,7 @@ impl<C: Code> Depth for C {
         first: usize,
         length: usize,
     ) -> Option<(&'p mut [P], &'p mut [u16])> {
+        // Said here of both, so that a small core compares the end twice and nothing else.
         let end = first.checked_add(length)?;
         if end > colours.len() || end > plane.len() {
             return None;

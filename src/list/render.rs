@@ -169,8 +169,8 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
     };
     let shader = S::from_uniforms(uniforms);
     let (window, retained, cells) = target.lend();
-    let part = (retained, triangle.rows);
-    let Ok(()) = pipeline::draw_part::<P, S, T, D, _, _>(&setup, shader, vertices, window, cells, part);
+    let retained = (retained, triangle.rows);
+    let Ok(()) = pipeline::draw::<P, S, T, D, _, _>(&setup, shader, vertices, window, cells, retained);
 }
 
 /// A vertex of the list, as its words say.

@@ -9,11 +9,12 @@ use topleft::stages::{Shader, Traversal};
 use topleft::{
     Affine, Attribute, BoxWalk, Camera, Cull, Depth16, DepthFloat, DrawError, DrawList, Flat, Gouraud,
     Length, ListTriangle, Material, Matrix, MatrixCamera, Mesh, NoDepth, Orthographic, PerPixel, Perspective,
-    Pose, Spans, Stats, Strip, Subspans, Sun, Textured, Turn, Within, Wrap,
+    Pose, Spans, Stats, Subspans, Sun, Textured, Turn, Within, Wrap,
 };
 
 use crate::support::check;
 use crate::support::frame::Strips;
+use crate::support::guarded::guarded;
 use crate::support::stats::adds_up;
 use crate::texture;
 
@@ -149,11 +150,7 @@ impl Case {
         let (words, triangles) = store();
         let mut list = DrawList::<u16, NoDepth>::new(words, triangles);
         let _ = list.draw(camera, mesh, &self.pose(), shader);
-        let mut cells = [GUARD; 40 * 25];
-        let mut strip = Strip::new(40, &mut cells[40..40 * 24]).unwrap();
-        list.render(self.rows.clone(), &mut strip);
-        let kept = cells[..40].iter().chain(&cells[40 * 24..]).all(|&cell| cell == GUARD);
-        if kept { Ok(()) } else { Err("written beyond the strip".into()) }
+        guarded(&list, self.rows.clone()).map(drop)
     }
 
     /// With depth; what is drawn of it.
@@ -168,22 +165,9 @@ impl Case {
         list.set_cull([Cull::None, Cull::Front, Cull::Back][self.turns[0] as usize % 3]);
         let result = list.draw(camera, mesh, &self.pose(), shader);
         adds_up(Stats::default(), list.stats(), result, mesh.faces().len())?;
-        let (mut cells, mut depths) = ([GUARD; 40 * 25], [GUARD; 40 * 25]);
-        let mut strip = D::strip(40, &mut cells[40..40 * 24], &mut depths[40..40 * 24]);
-        strip.clear();
-        list.render(self.rows.clone(), &mut strip);
-        drop(strip);
-        for guarded in [&cells, &depths] {
-            if guarded[..40].iter().chain(&guarded[40 * 24..]).any(|&cell| cell != GUARD) {
-                return Err("written beyond the strip".into());
-            }
-        }
-        Ok([cells, depths].concat())
+        guarded(&list, self.rows.clone())
     }
 }
-
-/// What stands before and after a strip.
-const GUARD: u16 = 0xA55A;
 
 /// Turned red by: a camera that divides 0 by 0, or shifts a zero matrix by -1.
 #[test]

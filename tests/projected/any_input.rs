@@ -13,11 +13,10 @@ use topleft::{
 
 use crate::support::check;
 use crate::support::frame::Strips;
+use crate::support::guarded::guarded;
 use crate::support::stats::adds_up;
 
 static TEXELS: [u16; 8] = [1, 2, 3, 4, 5, 6, 7, 0xFFFF];
-/// What stands before and after a strip.
-const GUARD: u16 = 0xA55A;
 
 /// Storage of a list.
 type Store = (Vec<u32>, Vec<ListTriangle>);
@@ -113,17 +112,7 @@ impl Case {
             (result, _) => adds_up(Stats::default(), list.stats(), result, self.faces.len())?,
         }
         D::sort(&mut list);
-        let (mut cells, mut depths) = ([GUARD; 40 * 25], [GUARD; 40 * 25]);
-        let mut strip = D::strip(40, &mut cells[40..40 * 24], &mut depths[40..40 * 24]);
-        strip.clear();
-        list.render(self.rows.clone(), &mut strip);
-        drop(strip);
-        for guarded in [&cells, &depths] {
-            if guarded[..40].iter().chain(&guarded[40 * 24..]).any(|&cell| cell != GUARD) {
-                return Err("written beyond the strip".into());
-            }
-        }
-        Ok([cells, depths].concat())
+        guarded(&list, self.rows.clone())
     }
 }
 

@@ -6,6 +6,7 @@ pub(crate) mod counter;
 mod difference;
 pub(crate) mod exact;
 pub(crate) mod frame;
+pub(crate) mod guarded;
 pub(crate) mod measured;
 pub(crate) mod polygons;
 pub(crate) mod stats;

@@ -18,7 +18,7 @@ pub(super) fn draw(table: &Table) -> String {
             panel.draw(canvas, title, "µs for 512 triangles and 57 600 pixels, x86-64", name);
             let mut labels = Labels::new([[left + 3, 43], [left + 417, 417]]);
             let rows: Vec<_> = table.find(&[("work", work)]).collect();
-            let points: Vec<_> = rows
+            let mut points: Vec<_> = rows
                 .iter()
                 .filter_map(|row| {
                     let wrong = number(row, "missing")? + number(row, "doubled")?;
@@ -26,10 +26,13 @@ pub(super) fn draw(table: &Table) -> String {
                     let shape = ["topleft", "retrofire-core", "euc", "embedded-3dgfx", "embedded-graphics"]
                         .iter()
                         .position(|&known| known == package)?;
-                    let way = row["peer"].split(", ").nth(1).unwrap_or(package);
+                    let way =
+                        row["peer"].split(", ").nth(1).unwrap_or(package).trim_start_matches("from the ");
                     Some((number(row, "host_us")?, wrong, Shape::ALL[shape], way.to_owned()))
                 })
                 .collect();
+            // From left to right: what stands beside the one before has room to its right.
+            points.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
             points.iter().for_each(|(time, wrong, ..)| labels.keep_clear(panel.at(*time, *wrong)));
             for (time, wrong, shape, label) in &points {
                 shape.draw(canvas, panel.at(*time, *wrong), Fill::Whole);

@@ -57,7 +57,9 @@ impl Labels {
                     if self.is_free(block, on_lines) {
                         if ring > 1 {
                             let end = [across - 2 * right, middle - down * (HEIGHT / 2)];
-                            canvas.line(&[[x + right * 6, y + down * 6], end], colour, 1);
+                            let line = [[x + right * 6, y + down * 6], end];
+                            canvas.line(&line, colour, 1);
+                            self.keep_line_clear(line);
                         }
                         canvas.text(text, [across, middle], HEIGHT, colour, anchor);
                         self.taken.push(block);
