@@ -165,7 +165,7 @@ pub use mesh::{MAX_UV_EXPONENT, MAX_VERTICES, Mesh, MeshError};
 pub use pixel::Pixel;
 pub use point::{Point, point};
 pub use pose::Pose;
-pub use raster::{BoxWalk, BySize, Spans};
+pub use raster::{BoxWalk, BySize, Spans, SpansBy};
 pub use setup::Cull;
 pub use shade::{
     Affine, ColourError, Divide, Divided, Flat, Gouraud, GouraudWithin, Lighting, LitTexture, Material,
@@ -181,7 +181,9 @@ pub mod stages {
     pub use crate::attributes::{Attributes, Fraction, Words};
     pub use crate::gradients::{Gradients, Plane};
     pub use crate::pixel::Stepped;
-    pub use crate::raster::{DrawSpan, Span, Traversal, Window};
+    pub use crate::raster::{
+        DrawSpan, Kernel, Rows, Shade, ShortEdge, Sides, Span, Tested, Trapezoids, Traversal, Window,
+    };
     pub use crate::run::{Place, Run};
     pub use crate::setup::Setup;
     pub use crate::shade::{

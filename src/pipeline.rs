@@ -9,7 +9,7 @@ use core::marker::PhantomData;
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::gradients::{Gradients, Plane};
-use crate::raster::{DrawSpan, Span, Traversal, Window};
+use crate::raster::{DrawSpan, Kernel, Shade, Sides, Span, Traversal, Window};
 use crate::retained::Retained;
 use crate::run::Run;
 use crate::setup::Setup;
@@ -37,6 +37,18 @@ pub(crate) trait Surface<P, D: Depth> {
         depth: &Plane<D::Varying>,
         shading: &Shading<'a, P, S>,
     ) -> Result<(), Self::Error>;
+
+    /// Has rows drawn by a kernel: whether it knew how to.
+    #[inline(always)]
+    fn rows<'a, K: Kernel, S: PixelShader<'a, P>>(
+        &mut self,
+        sides: Sides<'_>,
+        depth: &Plane<D::Varying>,
+        shading: &Shading<'a, P, S>,
+    ) -> bool {
+        let _ = (sides, depth, shading);
+        false
+    }
 }
 
 /// How the pixels of a triangle get their colours.
@@ -51,6 +63,17 @@ impl<'a, P, S: PixelShader<'a, P>> Shading<'a, P, S> {
     #[inline]
     pub(crate) fn solid(&self) -> Option<P> {
         self.shader.solid(&self.triangle)
+    }
+
+    /// Where a kernel gets colours for some cells from, from column 0 of a row on.
+    #[inline(always)]
+    pub(crate) fn for_kernel<'c>(
+        &self,
+        row: i32,
+        colours: &'c mut [P],
+    ) -> Option<(&'c mut [u16], Shade<'a>)> {
+        let Self { shader, triangle, varying } = self;
+        shader.for_kernel(triangle, varying.from_row(row), colours)
     }
 
     /// Colours a run that starts in a column of a row.
@@ -184,5 +207,11 @@ where
     fn draw(&mut self, span: Span) -> Result<(), Target::Error> {
         let Self { target, depth, shading } = self;
         target.span(span, depth, shading)
+    }
+
+    #[inline(always)]
+    fn rows<K: Kernel>(&mut self, sides: Sides<'_>) -> bool {
+        let Self { target, depth, shading } = self;
+        target.rows::<K, S>(sides, depth, shading)
     }
 }

@@ -29,6 +29,19 @@ pub trait Pixel: Copy {
     /// Channels on their way along a row: `[Attribute; 3]`, or what is stepped faster.
     type Stepped: Stepped<Self>;
 
+    /// The words of cells that are RGB565 words, for a [`Kernel`](crate::stages::Kernel).
+    #[inline(always)]
+    fn words(cells: &mut [Self]) -> Option<&mut [u16]> {
+        let _ = cells;
+        None
+    }
+
+    /// The word of one such cell.
+    #[inline(always)]
+    fn word(self) -> Option<u16> {
+        None
+    }
+
     /// From channels of 0 to 255, each rounded to the nearest.
     #[inline]
     fn from_rgb(rgb: [u8; 3]) -> Self {
@@ -229,6 +242,16 @@ impl Pixel for u16 {
     #[inline(always)]
     fn from_texel(rgb565: u16) -> Self {
         rgb565
+    }
+
+    #[inline(always)]
+    fn words(cells: &mut [Self]) -> Option<&mut [u16]> {
+        Some(cells)
+    }
+
+    #[inline(always)]
+    fn word(self) -> Option<Self> {
+        Some(self)
     }
 }
 

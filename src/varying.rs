@@ -51,6 +51,13 @@ impl<V: Varying> Plane<V> {
     pub fn at(&self, columns: i32, rows: i32) -> V {
         self.start.plus(self.dx.times(columns)).plus(self.dy.times(rows))
     }
+
+    /// The same plane, from so many rows below the anchor on.
+    #[inline(always)]
+    pub(crate) fn from_row(self, rows: i32) -> Self {
+        let Self { start, dx, dy } = self;
+        Self { start: start.plus(dy.times(rows)), dx, dy }
+    }
 }
 
 impl Varying for () {

@@ -5,7 +5,9 @@
 
 use super::Depth;
 use crate::attributes::Words;
+use crate::gradients::Plane;
 use crate::math::format::DepthCode;
+use crate::raster::Tested;
 
 /// How 32 bits of depth become 16.
 pub trait Code {
@@ -14,6 +16,13 @@ pub trait Code {
 
     /// The code of a depth, below 2^16: it never falls where depths grow, and is not 0 where there is something.
     fn of(depth: u32) -> u32;
+
+    /// For a kernel, if there are kernels for these codes.
+    #[inline(always)]
+    fn tested(cells: &mut [u16], plane: Plane<DepthCode>) -> Option<Tested<'_>> {
+        let _ = (cells, plane);
+        None
+    }
 }
 
 impl<C: Code> Depth for C {
@@ -56,6 +65,11 @@ impl<C: Code> Depth for C {
             return None;
         }
         Some((colours.get_mut(first..end)?, plane.get_mut(first..end)?))
+    }
+
+    #[inline(always)]
+    fn tested(cells: Self::Plane<'_>, plane: Plane<DepthCode>) -> Option<Tested<'_>> {
+        <C as Code>::tested(cells, plane)
     }
 
     #[inline(always)]

@@ -4,6 +4,9 @@
 //! interpolation is ever off by.
 
 use super::buffer::Code;
+use crate::gradients::Plane;
+use crate::math::format::DepthCode;
+use crate::raster::Tested;
 
 /// A 16-bit depth buffer: the nearer pixel hides the other, and the earlier of two that are equal.
 #[derive(Clone, Copy, Debug, Default)]
@@ -16,5 +19,10 @@ impl Code for Depth16 {
     #[inline(always)]
     fn of(depth: u32) -> u32 {
         depth >> 16
+    }
+
+    #[inline(always)]
+    fn tested(cells: &mut [u16], plane: Plane<DepthCode>) -> Option<Tested<'_>> {
+        Some(Tested::Depth16(cells, plane))
     }
 }

@@ -4,6 +4,8 @@
 //! [`DepthFloat`] keep the nearest depth of each pixel in a [`buffer`].
 
 use crate::attributes::Words;
+use crate::gradients::Plane;
+use crate::raster::Tested;
 use crate::varying::Varying;
 
 mod buffer;
@@ -57,6 +59,14 @@ pub trait Depth {
         first: usize,
         length: usize,
     ) -> Option<(&'p mut [P], Self::Plane<'p>)>;
+
+    /// What a kernel needs to know of some cells and a triangle's plane, if there are kernels for them.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn tested(cells: Self::Plane<'_>, plane: Plane<Self::Varying>) -> Option<Tested<'_>> {
+        let _ = (cells, plane);
+        None
+    }
 
     #[doc(hidden)]
     fn cells(plane: Self::Plane<'_>) -> Self::Cells<'_>;

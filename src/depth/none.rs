@@ -1,6 +1,8 @@
 //! Nothing hides anything.
 
 use super::Depth;
+use crate::gradients::Plane;
+use crate::raster::Tested;
 
 /// No depth: what is drawn later hides what was drawn before.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,6 +35,11 @@ impl Depth for NoDepth {
         length: usize,
     ) -> Option<(&'p mut [P], ())> {
         Some((colours.get_mut(first..)?.get_mut(..length)?, ()))
+    }
+
+    #[inline(always)]
+    fn tested(_: Self::Plane<'_>, _: Plane<()>) -> Option<Tested<'_>> {
+        Some(Tested::Never)
     }
 
     #[inline(always)]

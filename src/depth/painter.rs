@@ -5,6 +5,8 @@
 
 use super::{Depth, NoDepth};
 use crate::attributes::Words;
+use crate::gradients::Plane;
+use crate::raster::Tested;
 
 /// Painter's order: a list that is sorted from far to near before it is rendered.
 ///
@@ -43,6 +45,11 @@ impl Depth for Painter {
         length: usize,
     ) -> Option<(&'p mut [P], ())> {
         NoDepth::span(colours, plane, first, length)
+    }
+
+    #[inline(always)]
+    fn tested(_: Self::Plane<'_>, _: Plane<()>) -> Option<Tested<'_>> {
+        Some(Tested::Never)
     }
 
     #[inline(always)]

@@ -18,11 +18,16 @@ use crate::setup::Setup;
 mod box_walk;
 mod by_size;
 mod edge;
+mod kernel;
 mod spans;
+mod trapezoids;
 
 pub use box_walk::BoxWalk;
 pub use by_size::BySize;
-pub use spans::Spans;
+pub use edge::ShortEdge;
+pub use kernel::{Kernel, Rows, Shade, Sides, Tested};
+pub use spans::{Spans, SpansBy};
+pub use trapezoids::Trapezoids;
 
 /// The covered pixels of one row: columns `start` up to, and without, `end`. Never empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +86,16 @@ pub trait DrawSpan<E> {
     /// # Errors
     /// Where it could not be drawn: no other follows.
     fn draw(&mut self, span: Span) -> Result<(), E>;
+
+    /// Has all rows of a triangle drawn by a kernel: whether it knew how to.
+    #[inline(always)]
+    fn rows<K: Kernel>(&mut self, sides: Sides<'_>) -> bool
+    where
+        Self: Sized,
+    {
+        let _ = sides;
+        false
+    }
 }
 
 impl<E, F: FnMut(Span) -> Result<(), E>> DrawSpan<E> for F {

@@ -3,9 +3,11 @@
 use super::light::{Lighting, Material, Sun, Unlit};
 use super::{PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
+use crate::gradients::Plane;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
@@ -85,6 +87,16 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
     #[inline(always)]
     fn shade<D: Depth>(&self, colour: &P, (): (), (): &(), run: Run<'_, P, D>) {
         run.fill(*colour);
+    }
+
+    #[inline(always)]
+    fn for_kernel<'c>(
+        &self,
+        colour: &P,
+        _: Plane<()>,
+        colours: &'c mut [P],
+    ) -> Option<(&'c mut [u16], Shade<'a>)> {
+        Some((P::words(colours)?, Shade::Flat(P::word(*colour)?)))
     }
 
     fn solid(&self, colour: &P) -> Option<P> {

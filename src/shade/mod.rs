@@ -6,8 +6,10 @@
 
 use crate::attributes::Attributes;
 use crate::depth::Depth;
+use crate::gradients::Plane;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
@@ -193,6 +195,19 @@ pub trait PixelShader<'a, P>: Copy {
         step: &Self::Varying,
         run: Run<'_, P, D>,
     );
+
+    /// Where a [`Kernel`](crate::stages::Kernel) gets the colours of some cells from, if there are kernels for such cells and
+    /// colours.
+    #[inline(always)]
+    fn for_kernel<'c>(
+        &self,
+        triangle: &Self::Triangle,
+        varying: Plane<Self::Varying>,
+        colours: &'c mut [P],
+    ) -> Option<(&'c mut [u16], Shade<'a>)> {
+        let _ = (triangle, varying, colours);
+        None
+    }
 
     /// The one colour of the triangle, where it has but one.
     fn solid(&self, triangle: &Self::Triangle) -> Option<P> {

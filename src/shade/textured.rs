@@ -7,10 +7,12 @@ use super::perspective::{Correction, DrawTexels};
 use super::sampler::{Lit, Paint, Painted, Plain};
 use super::{DrawTriangle, PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
+use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
@@ -152,6 +154,16 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         run.visible(|skipped, pixels| {
             self.walk(triangle, after(start, step, skipped), step, pixels, Plain);
         });
+    }
+
+    #[inline(always)]
+    fn for_kernel<'c>(
+        &self,
+        _: &C::Triangle,
+        varying: Plane<C::Varying>,
+        colours: &'c mut [P],
+    ) -> Option<(&'c mut [u16], Shade<'a>)> {
+        Some((P::words(colours)?, Shade::Affine(self.texture, C::linear(varying)?)))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::depth::{Depth, Depth16, DepthFloat, NoDepth, Painter};
 use crate::gradients::Plane;
 use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
-use crate::raster::{Span, Window};
+use crate::raster::{self, Kernel, Sides, Span, Window};
 use crate::retained::Retained;
 use crate::run::Run;
 use crate::shade::PixelShader;
@@ -213,6 +213,23 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
         let run = Run::<P, D> { colours, depths, depth: depth.at(span.start, y), step: depth.dx };
         shading.shade(span.start, y, run);
         Ok(())
+    }
+
+    #[inline(always)]
+    fn rows<'a, K: Kernel, S: PixelShader<'a, P>>(
+        &mut self,
+        sides: Sides<'_>,
+        depth: &Plane<D::Varying>,
+        shading: &Shading<'a, P, S>,
+    ) -> bool {
+        let Self { colours, depths, width, origin } = self;
+        // As in `span`.
+        let first = sides.top().wrapping_mul(*width).wrapping_add(*origin) as usize;
+        let length = sides.height().wrapping_mul(*width) as usize;
+        let Some((colours, depths)) = D::span(colours, depths, first, length) else { return true };
+        let Some((colours, shade)) = shading.for_kernel(sides.top(), colours) else { return false };
+        let Some(tested) = D::tested(depths, depth.from_row(sides.top())) else { return false };
+        raster::Rows::new(&sides, *width, colours, tested, shade).is_none_or(K::draw)
     }
 }
 

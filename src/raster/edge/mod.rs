@@ -6,10 +6,10 @@ mod dda;
 mod short;
 
 pub(super) use dda::Dda;
-pub(super) use short::ShortEdge;
+pub use short::ShortEdge;
 
 /// An edge at the centres of one row.
-pub(super) trait Edge: Copy {
+pub trait Edge: Copy {
     /// Whether no column is ever outside of the window.
     const INSIDE: bool;
 

@@ -17,7 +17,8 @@ use crate::snapped::{Snapped, first_centre};
 /// 1.1 steps, and that up to 32 times; 0.3 for what is missing of its reciprocal, over the whole edge; 3 for the row
 /// and for the move.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct ShortEdge {
+#[repr(C)]
+pub struct ShortEdge {
     /// Where the edge passes, moved, from one column left of the centres of column 0.
     place: i32,
     slope: i32,

@@ -3,10 +3,12 @@
 use super::light::{Lighting, Material, Sun, Unlit};
 use super::{PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
+use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::{Pixel, Stepped};
 use crate::pose::Pose;
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
@@ -106,6 +108,16 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
             pixel.shade(|| colour.colour());
             colour = colour.plus(step);
         }
+    }
+
+    #[inline(always)]
+    fn for_kernel<'c>(
+        &self,
+        (): &(),
+        channels: Plane<[Attribute; 3]>,
+        colours: &'c mut [P],
+    ) -> Option<(&'c mut [u16], Shade<'a>)> {
+        Some((P::words(colours)?, Shade::Gouraud(channels)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! No correction, and the loop that steps texels from pixel to pixel.
 
 use super::{Correction, Sampler};
+use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::transform::PerVertexInverse;
 
@@ -45,5 +46,10 @@ impl Correction for Affine {
         sampler: &mut impl Sampler<T>,
     ) {
         sampler.steps(run, start.map(Attribute::to_bits), step.map(Attribute::to_bits));
+    }
+
+    #[inline(always)]
+    fn linear(texels: Plane<[Attribute; 2]>) -> Option<Plane<[Attribute; 2]>> {
+        Some(texels)
     }
 }

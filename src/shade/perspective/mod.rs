@@ -5,6 +5,7 @@
 //! error. They share two loops: the one that steps (`affine.rs`), and the one that divides (`per_pixel.rs`).
 
 use super::sampler::Sampler;
+use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
@@ -68,6 +69,13 @@ pub trait Correction: Copy {
         run: &mut [T],
         sampler: &mut impl Sampler<T>,
     );
+
+    /// The plane of texels, where texels are linear on the screen: for a [`Kernel`](crate::stages::Kernel).
+    #[inline(always)]
+    fn linear(varying: Plane<Self::Varying>) -> Option<Plane<[Attribute; 2]>> {
+        let _ = varying;
+        None
+    }
 }
 
 /// What a method hands a triangle to, once it is chosen.

@@ -1,0 +1,123 @@
+//! Whole triangles for a chip's own code.
+//!
+//! From here on, stages are one loop over rows and one over pixels. A [`Kernel`] takes the place of both, where it knows the
+//! pixels, the depths and the shader: it may be faster, and nothing else. What it does not know is drawn by the stages.
+
+use core::ops::Range;
+
+use super::edge::ShortEdge;
+use super::trapezoids::Trapezoids;
+use crate::gradients::Plane;
+use crate::math::format::{Attribute, DepthCode};
+use crate::texture::Texture;
+
+/// A chip's own way to draw small triangles: a type parameter of [`SpansBy`](crate::SpansBy).
+pub trait Kernel {
+    /// Draws all rows of a triangle, or none of them: whether it did.
+    fn draw(rows: Rows<'_>) -> bool;
+}
+
+/// The sides of a triangle whose edges are short, and the columns that none of them leaves.
+#[derive(Debug)]
+pub struct Sides<'t> {
+    pub(super) trapezoids: &'t Trapezoids<ShortEdge>,
+    pub(super) columns: &'t Range<i32>,
+}
+
+impl Sides<'_> {
+    /// The first row.
+    #[inline(always)]
+    pub(crate) const fn top(&self) -> i32 {
+        self.trapezoids.top
+    }
+
+    /// How many rows there are.
+    #[inline(always)]
+    pub(crate) const fn height(&self) -> i32 {
+        self.trapezoids.bottom - self.trapezoids.top
+    }
+}
+
+/// What decides which pixels are visible.
+#[derive(Debug)]
+pub enum Tested<'r> {
+    /// Nothing: all are.
+    Never,
+    /// [`Depth16`](crate::Depth16): a cell for each colour, and the plane from column 0 of the first row on.
+    Depth16(&'r mut [u16], Plane<DepthCode>),
+}
+
+/// Where colours come from. Planes start in column 0 of the first row.
+#[derive(Clone, Copy, Debug)]
+pub enum Shade<'a> {
+    /// All pixels have one.
+    Flat(u16),
+    /// Red, green and blue in steps of RGB565, each rounded down.
+    Gouraud(Plane<[Attribute; 3]>),
+    /// A texture, and column and row of its texel, each rounded down.
+    Affine(Texture<'a>, Plane<[Attribute; 2]>),
+}
+
+/// The rows of a triangle, and the cells that they lie in.
+///
+/// What a kernel may rely on: cells are [`width`](Self::width) a row, and as many rows as the trapezoids have; in no row is a
+/// side's column below 0, or above the width, and in none are they more than 32 apart.
+#[derive(Debug)]
+pub struct Rows<'r> {
+    trapezoids: &'r Trapezoids<ShortEdge>,
+    width: i32,
+    colours: &'r mut [u16],
+    tested: Tested<'r>,
+    shade: Shade<'r>,
+}
+
+impl<'r> Rows<'r> {
+    /// In cells from column 0 of the first row on, `width` a row. Nothing where they do not have all columns and rows.
+    #[inline(always)]
+    pub(crate) fn new(
+        sides: &Sides<'r>,
+        width: i32,
+        colours: &'r mut [u16],
+        tested: Tested<'r>,
+        shade: Shade<'r>,
+    ) -> Option<Self> {
+        let Sides { trapezoids, columns } = *sides;
+        let cells = sides.height().wrapping_mul(width) as usize;
+        let depths = match &tested {
+            Tested::Never => cells,
+            Tested::Depth16(cells, _) => cells.len(),
+        };
+        let inside = columns.start >= 0 && columns.end <= width && colours.len() == cells && depths == cells;
+        if inside { Some(Self { trapezoids, width, colours, tested, shade }) } else { None }
+    }
+
+    /// The sides of all rows.
+    #[inline(always)]
+    pub const fn trapezoids(&self) -> &'r Trapezoids<ShortEdge> {
+        self.trapezoids
+    }
+
+    /// Columns.
+    #[inline(always)]
+    pub const fn width(&self) -> usize {
+        self.width as usize
+    }
+
+    /// Where colours come from.
+    #[inline(always)]
+    pub const fn shade(&self) -> &Shade<'r> {
+        &self.shade
+    }
+
+    /// What decides which pixels are visible.
+    #[inline(always)]
+    pub const fn tested(&self) -> &Tested<'r> {
+        &self.tested
+    }
+
+    /// The colours of all rows, and what decides which of them are visible.
+    #[inline(always)]
+    pub const fn cells(&mut self) -> (&mut [u16], &mut Tested<'r>) {
+        (self.colours, &mut self.tested)
+    }
+}
