@@ -73,7 +73,7 @@ impl<'a, P, S: PixelShader<'a, P>> Shading<'a, P, S> {
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
         let Self { shader, triangle, varying } = self;
-        shader.for_kernel(triangle, varying.from_row(row), colours)
+        shader.for_kernel(triangle, varying.starting_in_row(row), colours)
     }
 
     /// Colours a run that starts in a column of a row.

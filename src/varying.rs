@@ -52,9 +52,9 @@ impl<V: Varying> Plane<V> {
         self.start.plus(self.dx.times(columns)).plus(self.dy.times(rows))
     }
 
-    /// The same plane, from so many rows below the anchor on.
+    /// The same plane, with another row of the anchor's column for a start.
     #[inline(always)]
-    pub(crate) fn from_row(self, rows: i32) -> Self {
+    pub(crate) fn starting_in_row(self, rows: i32) -> Self {
         let Self { start, dx, dy } = self;
         Self { start: start.plus(dy.times(rows)), dx, dy }
     }

@@ -17,10 +17,10 @@ pub trait Code {
     /// The code of a depth, below 2^16: it never falls where depths grow, and is not 0 where there is something.
     fn of(depth: u32) -> u32;
 
-    /// For a kernel, if there are kernels for these codes.
+    /// How a kernel tests cells with a plane, if there are kernels for these codes.
     #[inline(always)]
-    fn tested(cells: &mut [u16], plane: Plane<DepthCode>) -> Option<Tested<'_>> {
-        let _ = (cells, plane);
+    fn tested(plane: Plane<DepthCode>) -> Option<Tested> {
+        let _ = plane;
         None
     }
 }
@@ -68,8 +68,8 @@ impl<C: Code> Depth for C {
     }
 
     #[inline(always)]
-    fn tested(cells: Self::Plane<'_>, plane: Plane<DepthCode>) -> Option<Tested<'_>> {
-        <C as Code>::tested(cells, plane)
+    fn for_kernel(cells: Self::Plane<'_>, plane: Plane<DepthCode>) -> Option<(&mut [u16], Tested)> {
+        Some((cells, C::tested(plane)?))
     }
 
     #[inline(always)]

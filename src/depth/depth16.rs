@@ -22,7 +22,7 @@ impl Code for Depth16 {
     }
 
     #[inline(always)]
-    fn tested(cells: &mut [u16], plane: Plane<DepthCode>) -> Option<Tested<'_>> {
-        Some(Tested::Depth16(cells, plane))
+    fn tested(plane: Plane<DepthCode>) -> Option<Tested> {
+        Some(Tested::Depth16(plane))
     }
 }

@@ -60,10 +60,10 @@ pub trait Depth {
         length: usize,
     ) -> Option<(&'p mut [P], Self::Plane<'p>)>;
 
-    /// What a kernel needs to know of some cells and a triangle's plane, if there are kernels for them.
+    /// Some cells for a kernel, and how they are tested with a triangle's plane, if there are kernels for that.
     #[doc(hidden)]
     #[inline(always)]
-    fn tested(cells: Self::Plane<'_>, plane: Plane<Self::Varying>) -> Option<Tested<'_>> {
+    fn for_kernel(cells: Self::Plane<'_>, plane: Plane<Self::Varying>) -> Option<(&mut [u16], Tested)> {
         let _ = (cells, plane);
         None
     }

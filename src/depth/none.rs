@@ -38,8 +38,8 @@ impl Depth for NoDepth {
     }
 
     #[inline(always)]
-    fn tested(_: Self::Plane<'_>, _: Plane<()>) -> Option<Tested<'_>> {
-        Some(Tested::Never)
+    fn for_kernel(_: Self::Plane<'_>, _: Plane<()>) -> Option<(&mut [u16], Tested)> {
+        Some((&mut [], Tested::Never))
     }
 
     #[inline(always)]

@@ -39,12 +39,12 @@ impl Sides<'_> {
 }
 
 /// What decides which pixels are visible.
-#[derive(Debug)]
-pub enum Tested<'r> {
+#[derive(Clone, Copy, Debug)]
+pub enum Tested {
     /// Nothing: all are.
     Never,
-    /// [`Depth16`](crate::Depth16): a cell for each colour, and the plane from column 0 of the first row on.
-    Depth16(&'r mut [u16], Plane<DepthCode>),
+    /// [`Depth16`](crate::Depth16), by the plane from column 0 of the first row on.
+    Depth16(Plane<DepthCode>),
 }
 
 /// Where colours come from. Planes start in column 0 of the first row.
@@ -60,14 +60,15 @@ pub enum Shade<'a> {
 
 /// The rows of a triangle, and the cells that they lie in.
 ///
-/// What a kernel may rely on: cells are [`width`](Self::width) a row, and as many rows as the trapezoids have; in no row is a
-/// side's column below 0, or above the width, and in none are they more than 32 apart.
+/// What a kernel may rely on: there are [`width`](Self::width) cells a row, and as many rows as the trapezoids have; in no row
+/// is a side's column below 0, or above the width, and in none are they more than 32 apart.
 #[derive(Debug)]
 pub struct Rows<'r> {
     trapezoids: &'r Trapezoids<ShortEdge>,
     width: i32,
     colours: &'r mut [u16],
-    tested: Tested<'r>,
+    depths: &'r mut [u16],
+    tested: Tested,
     shade: Shade<'r>,
 }
 
@@ -77,18 +78,18 @@ impl<'r> Rows<'r> {
     pub(crate) fn new(
         sides: &Sides<'r>,
         width: i32,
-        colours: &'r mut [u16],
-        tested: Tested<'r>,
-        shade: Shade<'r>,
+        (colours, shade): (&'r mut [u16], Shade<'r>),
+        (depths, tested): (&'r mut [u16], Tested),
     ) -> Option<Self> {
         let Sides { trapezoids, columns } = *sides;
         let cells = sides.height().wrapping_mul(width) as usize;
-        let depths = match &tested {
-            Tested::Never => cells,
-            Tested::Depth16(cells, _) => cells.len(),
+        let tests = match tested {
+            Tested::Never => 0,
+            Tested::Depth16(_) => cells,
         };
-        let inside = columns.start >= 0 && columns.end <= width && colours.len() == cells && depths == cells;
-        if inside { Some(Self { trapezoids, width, colours, tested, shade }) } else { None }
+        let inside =
+            columns.start >= 0 && columns.end <= width && colours.len() == cells && depths.len() == tests;
+        if inside { Some(Self { trapezoids, width, colours, depths, tested, shade }) } else { None }
     }
 
     /// The sides of all rows.
@@ -105,19 +106,19 @@ impl<'r> Rows<'r> {
 
     /// Where colours come from.
     #[inline(always)]
-    pub const fn shade(&self) -> &Shade<'r> {
-        &self.shade
+    pub const fn shade(&self) -> Shade<'r> {
+        self.shade
     }
 
     /// What decides which pixels are visible.
     #[inline(always)]
-    pub const fn tested(&self) -> &Tested<'r> {
-        &self.tested
+    pub const fn tested(&self) -> Tested {
+        self.tested
     }
 
-    /// The colours of all rows, and what decides which of them are visible.
+    /// The colours of all rows; and a depth for each, or none where nothing is tested.
     #[inline(always)]
-    pub const fn cells(&mut self) -> (&mut [u16], &mut Tested<'r>) {
-        (self.colours, &mut self.tested)
+    pub const fn into_cells(self) -> (&'r mut [u16], &'r mut [u16]) {
+        (self.colours, self.depths)
     }
 }

@@ -125,7 +125,7 @@ impl<'c> Bench<'c> {
 
     /// Measures a case by spans, and reports its row.
     pub(crate) fn case<C: Case>(&mut self, case: &C, buffers: &mut Buffers<'_>) {
-        self.by::<topleft_armv6m::Spans, _>(case.method(), case, buffers);
+        self.by::<topleft_thumb::Spans, _>(case.method(), case, buffers);
     }
 
     /// Measures a case by a traversal, and reports its row. Not inlined: the lists of all cases at once would not leave
