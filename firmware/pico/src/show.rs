@@ -2,6 +2,7 @@
 
 use embedded_graphics::geometry::Size;
 use scenes::{SCENES, Scene, View};
+use topleft::stages::Traversal;
 use topleft::{Depth, DrawError, DrawList, ListStorage, Pixel, Turn};
 
 /// Pixels of the panel.
@@ -52,7 +53,7 @@ impl Show {
     }
 
     /// Draws the frame into a list that it empties. Gives the number of triangles that did not fit.
-    pub fn draw<P: Pixel, D: Depth>(&self, list: &mut DrawList<'_, P, D>) -> usize {
+    pub fn draw<P: Pixel, D: Depth, T: Traversal>(&self, list: &mut DrawList<'_, P, D, T>) -> usize {
         list.clear();
         let turn = Turn::new(self.frame * (u16::MAX / FRAMES + 1));
         match self.scene().draw(list, PANEL, &View { turn, ..View::default() }) {

@@ -23,7 +23,7 @@ mod image {
             panic!("the board does not start")
         };
         let mut panel = Panel::new(panel, parts, spare);
-        let mut list = MEMORY.list();
+        let mut list = MEMORY.list_with_traversal::<_, _, topleft_thumb::Spans>();
         let mut show = Show::new();
         loop {
             let left_out = show.draw(&mut list);
