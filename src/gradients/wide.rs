@@ -1,6 +1,6 @@
 //! Gradients of any triangle.
 
-use super::{Edges, Gradient};
+use super::{Axis, Gradient};
 use crate::math::{product, recip};
 
 /// One over the doubled area of any triangle.
@@ -20,20 +20,12 @@ impl Area {
         Self { reciprocal, shift: (54 - normalised).unsigned_abs() }
     }
 
-    /// Of the plane through three values.
+    /// Of the plane through three values, along an axis.
     #[inline(never)]
-    pub(super) fn gradients(
-        &self,
-        &[[dx1, dy1], [dx2, dy2]]: &Edges,
-        values: [i32; 3],
-    ) -> (Gradient, Gradient) {
+    pub(super) fn gradient(&self, axis: &Axis, values: &[i32; 3]) -> Gradient {
         let [a, b, c] = values.map(i64::from);
-        let (d1, d2) = (b - a, c - a);
-        let gradient = |d, along, less, less_along| {
-            let gradient = self.quotient(times(d, along) - times(less, less_along));
-            Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
-        };
-        (gradient(d1, dy2, d2, dy1), gradient(d2, dx1, d1, dx2))
+        let gradient = self.quotient(times(b - a, axis.second) - times(c - a, axis.first));
+        Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
     }
 
     /// The numerator over the area, to nearest: in pixels, not in their 256 steps.

@@ -159,12 +159,27 @@ pub(crate) fn area(area2: u64) -> (u32, i32) {
     (first + correction as u32, shift)
 }
 
+/// A number that is not 0 without its leading zeros, and how many they were.
+#[inline(always)]
+fn normalised(x: u32) -> (u32, u32) {
+    if !product::NARROW {
+        return (x << x.leading_zeros(), x.leading_zeros());
+    }
+    // A core that cannot count them: most areas of small triangles have from 7 to 15.
+    let (mut x, mut zeros) = (x, 0);
+    while x >> 24 == 0 && zeros < 24 {
+        (x, zeros) = (x << 8, zeros + 8);
+    }
+    while x >> 31 == 0 && zeros < 31 {
+        (x, zeros) = (x << 1, zeros + 1);
+    }
+    (x, zeros)
+}
+
 /// [`area`] of an area below 2^32, with products of 32 bits. A zero counts as one.
 #[inline]
 pub(crate) fn small_area(area2: u32) -> (u32, i32) {
-    let area2 = area2.max(1);
-    let shift = area2.leading_zeros();
-    let normalised = area2 << shift;
+    let (normalised, shift) = normalised(area2.max(1));
     let seed = seed(normalised).cast_signed();
     // With e the part that is missing from x r = 2^47, the reciprocal is r (1 + e + e^2), and 2^-40 of it more. Steps of e
     // are 2^-28, and its halves are below 2^14.7 and 2^10.
