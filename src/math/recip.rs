@@ -162,10 +162,12 @@ pub(crate) fn area(area2: u64) -> (u32, i32) {
 /// A number that is not 0 without its leading zeros, and how many they were.
 #[inline(always)]
 fn normalised(x: u32) -> (u32, u32) {
-    if !product::NARROW {
-        return (x << x.leading_zeros(), x.leading_zeros());
-    }
-    // A core that cannot count them: most areas of small triangles have from 7 to 15.
+    if product::NARROW { normalised_by_steps(x) } else { (x << x.leading_zeros(), x.leading_zeros()) }
+}
+
+/// The same for a core that cannot count zeros: most areas of small triangles have from 7 to 15.
+#[inline(always)]
+fn normalised_by_steps(x: u32) -> (u32, u32) {
     let (mut x, mut zeros) = (x, 0);
     while x >> 24 == 0 && zeros < 24 {
         (x, zeros) = (x << 8, zeros + 8);
@@ -271,6 +273,15 @@ mod tests {
             let q = x >> (i * 7 % 33).min(31);
             following = normalising(q, following);
             assert_eq!(following, q.max(1).leading_zeros(), "{q:#x}");
+        }
+    }
+
+    // Red when either loop stops a step early.
+    #[test]
+    fn steps_find_all_leading_zeros() {
+        for (i, x) in inputs().enumerate() {
+            let x = x >> (i * 7 % 32);
+            assert_eq!(normalised_by_steps(x), (x << x.leading_zeros(), x.leading_zeros()), "{x:#x}");
         }
     }
 
