@@ -57,36 +57,17 @@ impl Gradients {
     /// Of a triangle in canonical order, with an area; `small` where no two vertices are 32 px or more apart on an axis.
     /// Planes start at the pixel in a column and a row, less than 2^13 of either from the first vertex.
     #[inline]
-    pub(crate) fn new(points: &[Snapped; 3], area2: i64, small: bool, column: i32, row: i32) -> Self {
+    pub(crate) fn new([a, b, c]: &[Snapped; 3], area2: i64, small: bool, column: i32, row: i32) -> Self {
         // Where vertices are near, 32 bits hold the area.
         let near = area2 as i32;
-        if small && near.unsigned_abs() >> small::AREA_BITS == 0 {
-            let area = small::Area::new(near);
-            // The area before the axes: a small core has no registers for both.
-            core::hint::black_box(());
-            Self::over(Area::Small(area), points, column, row)
+        let area = if small && near.unsigned_abs() >> small::AREA_BITS == 0 {
+            Area::Small(small::Area::new(near))
         } else {
-            Self::any(points, area2, column, row)
-        }
-    }
-
-    /// Of a triangle of any size.
-    #[inline(never)]
-    fn any(points: &[Snapped; 3], area2: i64, column: i32, row: i32) -> Self {
-        let area = Area::Any(wide::Area::new(area2.unsigned_abs()));
-        let mut gradients = Self::over(area, points, column, row);
-        if area2 < 0 {
-            // The other way round, where the area has no sign.
-            for axis in &mut gradients.axes {
-                (axis.second, axis.first) = (-axis.second, -axis.first);
-            }
-        }
-        gradients
-    }
-
-    #[inline(always)]
-    fn over(area: Area, [a, b, c]: &[Snapped; 3], column: i32, row: i32) -> Self {
-        let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
+            Area::Any(wide::Area::new(area2))
+        };
+        // The area before the axes: a small core has no registers for both.
+        core::hint::black_box(());
+        let [(ax, ay), (bx, by), (cx, cy)] = [a.bits(), b.bits(), c.bits()];
         let to_centre = |pixel: i32, coordinate: i32| (pixel << SUBPIXEL_BITS) + HALF_PIXEL - coordinate;
         let right = Axis { second: cy - ay, first: by - ay, to_anchor: to_centre(column, ax) };
         let down = Axis { second: ax - cx, first: ax - bx, to_anchor: to_centre(row, ay) };

@@ -10,14 +10,16 @@ pub(super) struct Area {
     pub(super) reciprocal: u32,
     /// Above 0: an area has at most 40 bits, and at least one.
     pub(super) shift: u32,
+    /// Whether the area is.
+    negative: bool,
 }
 
 impl Area {
     /// Of any number of steps but none.
-    #[inline]
-    pub(super) fn new(area2: u64) -> Self {
-        let (reciprocal, normalised) = recip::area(area2);
-        Self { reciprocal, shift: (54 - normalised).unsigned_abs() }
+    #[inline(never)]
+    pub(super) fn new(area2: i64) -> Self {
+        let (reciprocal, normalised) = recip::area(area2.unsigned_abs());
+        Self { reciprocal, shift: (54 - normalised).unsigned_abs(), negative: area2 < 0 }
     }
 
     /// Of the plane through three values, along an axis.
@@ -30,8 +32,8 @@ impl Area {
 
     /// The numerator over the area, to nearest: in pixels, not in their 256 steps.
     fn quotient(&self, numerator: i64) -> i64 {
-        let &Self { reciprocal, shift } = self;
-        let negative = numerator < 0;
+        let &Self { reciprocal, shift, negative } = self;
+        let negative = (numerator < 0) != negative;
         let numerator = numerator.unsigned_abs();
         // The product in 96 bits: two words and one below.
         let low = product::unsigned(numerator as u32, reciprocal);
@@ -79,7 +81,7 @@ mod tests {
             let numerator = random(31) << 21 >> random(5) ^ -random(1);
             let exact = i128::from(numerator) * 256;
             let area = i128::from(setup.area2().abs());
-            let got = i128::from(any.quotient(numerator));
+            let got = i128::from(any.quotient(numerator * setup.area2().signum()));
             // Half a step for the rounding, 2^-30 of the value for the reciprocal.
             let error = (got * area - exact).abs();
             assert!(error <= area.abs() / 2 + (exact.abs() >> 30) + 1, "{points:?} {numerator}: {got}");

@@ -169,7 +169,10 @@ fn normalised(x: u32) -> (u32, u32) {
 #[inline(always)]
 fn normalised_by_steps(x: u32) -> (u32, u32) {
     let (mut x, mut zeros) = (x, 0);
-    while x >> 24 == 0 && zeros < 24 {
+    if x >> 25 == 0 {
+        (x, zeros) = (x << 7, 7);
+    }
+    if x >> 24 == 0 {
         (x, zeros) = (x << 8, zeros + 8);
     }
     while x >> 31 == 0 && zeros < 31 {
@@ -276,7 +279,7 @@ mod tests {
         }
     }
 
-    // Red when either loop stops a step early.
+    // Red when a step is too long, or the loop stops early.
     #[test]
     fn steps_find_all_leading_zeros() {
         for (i, x) in inputs().enumerate() {
