@@ -155,7 +155,7 @@ impl Setup {
     /// The same, of planes that start at another pixel: less than 2^13 columns and rows from the first vertex.
     #[inline]
     pub(crate) fn gradients_from(&self, column: i32, row: i32) -> Gradients {
-        Gradients::new(self.points, self.area2, self.small, column, row)
+        Gradients::new(&self.points, self.area2, self.small, column, row)
     }
 }
 

@@ -27,12 +27,22 @@ pub struct Plane<V> {
 /// The reciprocal of the area and the edges from the first vertex: what all planes of a triangle share.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients {
-    /// From the first vertex to the second and to the third: the other way where the area is negative.
-    edges: Edges,
+    /// To the right and down.
+    axes: [Axis; 2],
     area: Area,
     anchor: [i32; 2],
-    /// From the first vertex to the anchor's centre, in 1/256 px.
-    to_anchor: [i32; 2],
+}
+
+/// One of the screen's two, for planes: their gradient along it is `(d1 second - d2 first) / area2`, where d1 and d2 are
+/// the differences of the second and the third value from the first.
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    /// Across the axis from the first vertex to the third, in 1/256 px.
+    second: i32,
+    /// The same to the second.
+    first: i32,
+    /// Along it from the first vertex to the anchor's centre, in 1/256 px.
+    to_anchor: i32,
 }
 
 /// One over the doubled area.
@@ -47,21 +57,21 @@ impl Gradients {
     /// Of a triangle in canonical order, with an area; `small` where no two vertices are 32 px or more apart on an axis.
     /// Planes start at the pixel in a column and a row, less than 2^13 of either from the first vertex.
     #[inline]
-    pub(crate) fn new([a, b, c]: [Snapped; 3], area2: i64, small: bool, column: i32, row: i32) -> Self {
-        let ((ax, ay), (bx, by), (cx, cy)) = (a.bits(), b.bits(), c.bits());
-        let edges = if area2 < 0 {
-            [[ax - bx, ay - by], [ax - cx, ay - cy]]
-        } else {
-            [[bx - ax, by - ay], [cx - ax, cy - ay]]
-        };
-        let area2 = area2.unsigned_abs();
-        let area = if small && area2 >> small::AREA_BITS == 0 {
-            Area::Small(small::Area::new(area2 as u32))
+    pub(crate) fn new([a, b, c]: &[Snapped; 3], area2: i64, small: bool, column: i32, row: i32) -> Self {
+        // Where vertices are near, 32 bits hold the area.
+        let near = area2 as i32;
+        let area = if small && near.unsigned_abs() >> small::AREA_BITS == 0 {
+            Area::Small(small::Area::new(near))
         } else {
             Area::Any(wide::Area::new(area2))
         };
+        // The area before the axes: a small core has no registers for both.
+        core::hint::black_box(());
+        let [(ax, ay), (bx, by), (cx, cy)] = [a.bits(), b.bits(), c.bits()];
         let to_centre = |pixel: i32, coordinate: i32| (pixel << SUBPIXEL_BITS) + HALF_PIXEL - coordinate;
-        Self { edges, area, to_anchor: [to_centre(column, ax), to_centre(row, ay)], anchor: [column, row] }
+        let right = Axis { second: cy - ay, first: by - ay, to_anchor: to_centre(column, ax) };
+        let down = Axis { second: ax - cx, first: ax - bx, to_anchor: to_centre(row, ay) };
+        Self { axes: [right, down], area, anchor: [column, row] }
     }
 
     /// The column and row of the pixel that planes start from: the one that holds the first vertex.
@@ -73,17 +83,18 @@ impl Gradients {
     /// The plane through three values, in canonical order, modulo 2^32.
     #[inline(never)]
     pub(crate) fn plane(&self, a: i32, b: i32, c: i32) -> Plane<i32> {
-        let (dx, dy) = match &self.area {
-            Area::Small(area) => area.gradients(&self.edges, [a, b, c]),
-            Area::Any(area) => area.gradients(&self.edges, [a, b, c]),
-        };
-        self.through(a, dx, dy)
+        match &self.area {
+            Area::Small(area) => self.through(a, area.gradients([a, b, c])),
+            Area::Any(area) => self.through(a, |axis| area.gradient(axis, &[a, b, c])),
+        }
     }
 
-    /// The plane of a value at the first vertex and two gradients.
+    /// The plane of a value at the first vertex and its gradient along each axis.
     #[inline(always)]
-    fn through(&self, first: i32, dx: Gradient, dy: Gradient) -> Plane<i32> {
-        let [ox, oy] = self.to_anchor;
+    fn through(&self, first: i32, gradient: impl Fn(&Axis) -> Gradient) -> Plane<i32> {
+        let [right, down] = &self.axes;
+        let (dx, dy) = (gradient(right), gradient(down));
+        let (ox, oy) = (right.to_anchor, down.to_anchor);
         // A gradient is multiplied by less than 2^21 and divided by 256: as its whole steps of 256, and what is below them.
         let whole = dx.over_256.wrapping_mul(ox).wrapping_add(dy.over_256.wrapping_mul(oy));
         let below = (dx.low & 255) * ox + (dy.low & 255) * oy;
@@ -91,9 +102,6 @@ impl Gradients {
         Plane { start, dx: dx.low, dy: dy.low }
     }
 }
-
-/// Two edges from the first vertex, each to the right and down, in 1/256 px.
-type Edges = [[i32; 2]; 2];
 
 /// A gradient of up to 64 bits: its low 32 bits, and those of a 256th of it, rounded down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Gradients of triangles of some pixels: less than 32 px high and wide.
 
-use super::{Edges, Gradient};
+use super::{Axis, Gradient};
 use crate::math::recip;
 
 /// Bits of the doubled area, in steps of 2^-16 px^2.
@@ -12,7 +12,7 @@ pub(super) const AREA_BITS: u32 = 25;
 /// that sums of two products need no carry.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Area {
-    /// `1 / |area2| = (2^16 high + low) * 2^-(shift + 24)`: high is up to 2^15, and low has 16 bits with a sign.
+    /// `1 / area2 = (2^16 high + low) * 2^-(shift + 24)`: high is from -2^15 to 2^15, and low has 16 bits with a sign.
     high: i32,
     low: i32,
     /// 7 to 31: an area has at most 25 bits.
@@ -22,39 +22,35 @@ pub(super) struct Area {
 }
 
 impl Area {
-    /// Of less than 2^25 steps.
+    /// Of less than 2^25 steps, of either sign.
     #[inline]
-    pub(super) fn new(area2: u32) -> Self {
-        let (reciprocal, normalised) = recip::small_area(area2);
+    pub(super) fn new(area2: i32) -> Self {
+        let (reciprocal, normalised) = recip::small_area(area2.unsigned_abs());
         let shift = (38 - normalised).unsigned_abs() & 31;
-        // That of a power of two is 2^31, which `digits` does not take.
-        let low = i32::from(reciprocal as i16);
-        let high = ((reciprocal + 0x8000) >> 16).cast_signed();
+        // That of a power of two is 2^31, of which the halves are right with either sign as well.
+        let sign = area2 >> 31;
+        let low = (i32::from(reciprocal as i16) ^ sign) - sign;
+        let high = (((reciprocal + 0x8000) >> 16).cast_signed() ^ sign) - sign;
         Self { high, low, shift, half: 1 << shift >> 1 }
     }
 
-    /// Of the plane through three values.
+    /// Of the plane through three values, along an axis.
     ///
     /// The numerators are exact, and so is their product with the reciprocal, but for what is below its last 16 bits: that
     /// cannot change how it is rounded. A numerator is less than 2^32 times the height or the width: 2^45.
     #[inline(always)]
-    pub(super) fn gradients(
-        &self,
-        &[[dx1, dy1], [dx2, dy2]]: &Edges,
-        [a, b, c]: [i32; 3],
-    ) -> (Gradient, Gradient) {
+    pub(super) fn gradients(&self, [a, b, c]: [i32; 3]) -> impl Fn(&Axis) -> Gradient {
         // Of the halves of differences: each has 17 bits with a sign.
-        let numerators = |half: fn(i32) -> i32| {
-            let (d1, d2) = (half(b) - half(a), half(c) - half(a));
-            [d1 * dy2 - d2 * dy1, d2 * dx1 - d1 * dx2]
-        };
-        let ([dx_high, dy_high], [dx_low, dy_low]) =
-            (numerators(|value| value >> 16), numerators(|value| value & 0xFFFF));
-        (self.quotient(dx_high, dx_low), self.quotient(dy_high, dy_low))
+        let differences = |half: fn(i32) -> i32| (half(b) - half(a), half(c) - half(a));
+        let (high, low) = (differences(|value| value >> 16), differences(|value| value & 0xFFFF));
+        move |axis| {
+            let numerator = |(d1, d2): (i32, i32)| d1 * axis.second - d2 * axis.first;
+            self.quotient(numerator(high), numerator(low))
+        }
     }
 
     /// `2^16 high + low`, over the area.
-    #[inline(never)]
+    #[inline(always)]
     fn quotient(&self, high: i32, low: i32) -> Gradient {
         // 2^32 whole_high + 2^16 whole_low + part: 2^13, 2^15 and 2^15 at most.
         let (above, part) = digits(low);
@@ -112,13 +108,10 @@ mod tests {
             let [a, b, c] = values.map(i64::from);
             let (d1, d2) = (b - a, c - a);
             let area2 = i128::from(setup.area2().abs());
-            let numerators = [
-                d1 * i64::from(of.edges[1][1]) - d2 * i64::from(of.edges[0][1]),
-                d2 * i64::from(of.edges[0][0]) - d1 * i64::from(of.edges[1][0]),
-            ];
-            for (got, numerator) in
-                <[_; 2]>::from(area.gradients(&of.edges, values)).into_iter().zip(numerators)
-            {
+            for axis in &of.axes {
+                let numerator = d1 * i64::from(axis.second) - d2 * i64::from(axis.first);
+                let numerator = numerator * setup.area2().signum();
+                let got = area.gradients(values)(axis);
                 let exact = i128::from(numerator) * 256;
                 // Of the quotient, 40 bits are known: the rest is that of the exact one.
                 let known = i128::from(got.over_256) << 8 | i128::from(got.low & 255);

@@ -1,6 +1,6 @@
 //! Gradients of any triangle.
 
-use super::{Edges, Gradient};
+use super::{Axis, Gradient};
 use crate::math::{product, recip};
 
 /// One over the doubled area of any triangle.
@@ -10,36 +10,30 @@ pub(super) struct Area {
     pub(super) reciprocal: u32,
     /// Above 0: an area has at most 40 bits, and at least one.
     pub(super) shift: u32,
+    /// Whether the area is.
+    negative: bool,
 }
 
 impl Area {
     /// Of any number of steps but none.
-    #[inline]
-    pub(super) fn new(area2: u64) -> Self {
-        let (reciprocal, normalised) = recip::area(area2);
-        Self { reciprocal, shift: (54 - normalised).unsigned_abs() }
+    #[inline(never)]
+    pub(super) fn new(area2: i64) -> Self {
+        let (reciprocal, normalised) = recip::area(area2.unsigned_abs());
+        Self { reciprocal, shift: (54 - normalised).unsigned_abs(), negative: area2 < 0 }
     }
 
-    /// Of the plane through three values.
+    /// Of the plane through three values, along an axis.
     #[inline(never)]
-    pub(super) fn gradients(
-        &self,
-        &[[dx1, dy1], [dx2, dy2]]: &Edges,
-        values: [i32; 3],
-    ) -> (Gradient, Gradient) {
+    pub(super) fn gradient(&self, axis: &Axis, values: &[i32; 3]) -> Gradient {
         let [a, b, c] = values.map(i64::from);
-        let (d1, d2) = (b - a, c - a);
-        let gradient = |d, along, less, less_along| {
-            let gradient = self.quotient(times(d, along) - times(less, less_along));
-            Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
-        };
-        (gradient(d1, dy2, d2, dy1), gradient(d2, dx1, d1, dx2))
+        let gradient = self.quotient(times(b - a, axis.second) - times(c - a, axis.first));
+        Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
     }
 
     /// The numerator over the area, to nearest: in pixels, not in their 256 steps.
     fn quotient(&self, numerator: i64) -> i64 {
-        let &Self { reciprocal, shift } = self;
-        let negative = numerator < 0;
+        let &Self { reciprocal, shift, negative } = self;
+        let negative = (numerator < 0) != negative;
         let numerator = numerator.unsigned_abs();
         // The product in 96 bits: two words and one below.
         let low = product::unsigned(numerator as u32, reciprocal);
@@ -87,7 +81,7 @@ mod tests {
             let numerator = random(31) << 21 >> random(5) ^ -random(1);
             let exact = i128::from(numerator) * 256;
             let area = i128::from(setup.area2().abs());
-            let got = i128::from(any.quotient(numerator));
+            let got = i128::from(any.quotient(numerator * setup.area2().signum()));
             // Half a step for the rounding, 2^-30 of the value for the reciprocal.
             let error = (got * area - exact).abs();
             assert!(error <= area.abs() / 2 + (exact.abs() >> 30) + 1, "{points:?} {numerator}: {got}");

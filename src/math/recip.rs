@@ -159,12 +159,32 @@ pub(crate) fn area(area2: u64) -> (u32, i32) {
     (first + correction as u32, shift)
 }
 
+/// A number that is not 0 without its leading zeros, and how many they were.
+#[inline(always)]
+fn normalised(x: u32) -> (u32, u32) {
+    if product::NARROW { normalised_by_steps(x) } else { (x << x.leading_zeros(), x.leading_zeros()) }
+}
+
+/// The same for a core that cannot count zeros: most areas of small triangles have from 7 to 15.
+#[inline(always)]
+fn normalised_by_steps(x: u32) -> (u32, u32) {
+    let (mut x, mut zeros) = (x, 0);
+    if x >> 25 == 0 {
+        (x, zeros) = (x << 7, 7);
+    }
+    if x >> 24 == 0 {
+        (x, zeros) = (x << 8, zeros + 8);
+    }
+    while x >> 31 == 0 && zeros < 31 {
+        (x, zeros) = (x << 1, zeros + 1);
+    }
+    (x, zeros)
+}
+
 /// [`area`] of an area below 2^32, with products of 32 bits. A zero counts as one.
 #[inline]
 pub(crate) fn small_area(area2: u32) -> (u32, i32) {
-    let area2 = area2.max(1);
-    let shift = area2.leading_zeros();
-    let normalised = area2 << shift;
+    let (normalised, shift) = normalised(area2.max(1));
     let seed = seed(normalised).cast_signed();
     // With e the part that is missing from x r = 2^47, the reciprocal is r (1 + e + e^2), and 2^-40 of it more. Steps of e
     // are 2^-28, and its halves are below 2^14.7 and 2^10.
@@ -256,6 +276,15 @@ mod tests {
             let q = x >> (i * 7 % 33).min(31);
             following = normalising(q, following);
             assert_eq!(following, q.max(1).leading_zeros(), "{q:#x}");
+        }
+    }
+
+    // Red when a step is too long, or the loop stops early.
+    #[test]
+    fn steps_find_all_leading_zeros() {
+        for (i, x) in inputs().enumerate() {
+            let x = x >> (i * 7 % 32);
+            assert_eq!(normalised_by_steps(x), (x << x.leading_zeros(), x.leading_zeros()), "{x:#x}");
         }
     }
 
