@@ -5,7 +5,7 @@ use scenes::texture::TEST_CARD;
 use topleft::stages::Traversal;
 use topleft::{
     Affine, Cull, Depth16, DepthFloat, Divided, DrawError, DrawList, Flat, Gouraud, Length, Material, Matrix,
-    MatrixCamera, Mesh, NoDepth, Painter, PerPixel, Portable, Pose, Subspans, Textured, Within,
+    MatrixCamera, Mesh, NoDepth, Painter, PerPixel, Portable, Pose, Spans, Subspans, Textured, Within,
 };
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
@@ -23,6 +23,17 @@ pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
     bench.case(&WithinDepthGrid, buffers);
     bench.case(&PerspectiveDepthGrid, buffers);
     bench.case(&DividedDepthGrid, buffers);
+    portable(bench, buffers);
+}
+
+/// Those that `topleft_thumb` has instructions for, by the library alone.
+fn portable(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
+    bench.by::<Spans, _>("flat-portable", &FlatGrid, buffers);
+    bench.by::<Spans, _>("flat-portable+depth", &FlatDepthGrid, buffers);
+    bench.by::<Spans, _>("gouraud-portable+depth", &GouraudDepthGrid, buffers);
+    bench.by::<Spans, _>("affine-portable", &AffineGrid, buffers);
+    bench.by::<Spans, _>("affine-portable+depth", &AffineDepthGrid, buffers);
+    bench.by::<Spans, _>("perspective-within-1/4-portable+depth", &WithinDepthGrid, buffers);
 }
 
 const SCENE: &str = "grid240";

@@ -11,6 +11,7 @@ mod row;
 mod scene;
 mod sizes;
 mod small;
+mod strewn;
 mod texels;
 mod traversal;
 
@@ -93,6 +94,7 @@ fn strips(bench: &mut Bench<'_>) {
     };
     grid::all(bench, &mut buffers);
     scene::all(bench, &mut buffers);
+    strewn::all(bench, &mut buffers);
     texels::all(bench, &mut buffers);
     budget::all(bench, &mut buffers);
 }

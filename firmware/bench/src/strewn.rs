@@ -1,0 +1,106 @@
+//! Triangles strewn over the screen and beyond its edges, through each other: what rows of any kernel have to get right.
+
+use scenes::texture::TEST_CARD;
+use topleft::stages::{FlatPixel, GouraudPixel, Traversal};
+use topleft::{
+    Affine, Attribute, Coord, Cull, Depth16, DepthCode, DrawError, DrawList, NoDepth, Point, ProjectedVertex,
+    Textured,
+};
+
+use crate::measure::{Bench, Buffers, Case, PANEL};
+
+const TRIANGLES: usize = 300;
+
+static FACES: [[u16; 3]; TRIANGLES] = {
+    let mut faces = [[0; 3]; TRIANGLES];
+    let mut i = 0;
+    while i < TRIANGLES {
+        faces[i] = [3 * i as u16, 3 * i as u16 + 1, 3 * i as u16 + 2];
+        i += 1;
+    }
+    faces
+};
+
+static COLOURS: [[u8; 3]; TRIANGLES] = {
+    let mut colours = [[0; 3]; TRIANGLES];
+    let mut i = 0;
+    while i < TRIANGLES {
+        colours[i] = channels(i as u32 * 7);
+        i += 1;
+    }
+    colours
+};
+
+const fn channels(vertex: u32) -> [u8; 3] {
+    let bits = hash(vertex);
+    [(bits >> 8) as u8, (bits >> 16) as u8, (bits >> 24) as u8]
+}
+
+/// Up to a few hundred texels from a corner, on either side.
+fn texel(vertex: u32) -> [Attribute; 2] {
+    let bits = hash(vertex).cast_signed();
+    [bits >> 8, bits << 9 >> 7].map(Attribute::from_bits)
+}
+
+const fn hash(number: u32) -> u32 {
+    let bits = (number + 1).wrapping_mul(0x9E37_79B1);
+    (bits ^ bits >> 15).wrapping_mul(0x85EB_CA77)
+}
+
+/// Triangle after triangle up to 1, 2, 4 .. 64 px wide and high, and back to 1, at any depths.
+fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> {
+    let (middle, corner) = (hash(vertex / 3 + 10_000), hash(vertex));
+    let size = 8 + vertex / 3 % 7;
+    // From 8 px outside on one side to 8 px outside on the other.
+    let place = |middle: u32, corner: u32| {
+        let at = (middle & 0xFFFF) * (256 << 8) >> 16;
+        Coord::from_bits((at + ((corner & 0xFFFF) >> (16 - size))).cast_signed() - (8 << 8))
+    };
+    let at = Point::new(place(middle, corner), place(middle >> 16, corner >> 16));
+    let depth = DepthCode::from_bits(hash(vertex + 20_000));
+    ProjectedVertex::new(at, attributes(vertex)).with_depth(depth)
+}
+
+/// A case for each way of shading.
+macro_rules! ways {
+    ($($case:ident, $method:literal, $depth:ty, $shader:expr, $attributes:expr;)*) => {
+        $(
+            struct $case;
+
+            impl Case for $case {
+                type Depth = $depth;
+
+                fn method(&self) -> &'static str {
+                    $method
+                }
+
+                fn scene(&self) -> &'static str {
+                    "strewn"
+                }
+
+                fn draw<T: Traversal>(
+                    &self,
+                    list: &mut DrawList<'_, u16, Self::Depth, T>,
+                ) -> Result<(), DrawError> {
+                    list.set_cull(Cull::None);
+                    let vertices = (0..3 * TRIANGLES).map(|i| vertex(i as u32, $attributes));
+                    list.draw_projected(PANEL, vertices, &FACES, &COLOURS, &$shader)
+                }
+            }
+        )*
+
+        /// Measures all ways of shading that a kernel may have.
+        pub(crate) fn all(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
+            $(bench.case(&$case, buffers);)*
+        }
+    };
+}
+
+ways! {
+    FlatWay, "flat", NoDepth, FlatPixel, |_| ();
+    FlatDepthWay, "flat+depth", Depth16, FlatPixel, |_| ();
+    GouraudWay, "gouraud", NoDepth, GouraudPixel, channels;
+    GouraudDepthWay, "gouraud+depth", Depth16, GouraudPixel, channels;
+    AffineWay, "affine", NoDepth, Textured::new(&TEST_CARD, Affine), texel;
+    AffineDepthWay, "affine+depth", Depth16, Textured::new(&TEST_CARD, Affine), texel;
+}
