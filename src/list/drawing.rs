@@ -54,25 +54,38 @@ pub(super) struct Layout {
     inverse: bool,
     /// Whether vertices have a w each.
     perspective: bool,
+    /// What makes the word of depth, if there is one. One such function is linked for each way to hide that is used.
+    depth: Option<fn(&Position, Reciprocal) -> u32>,
 }
 
 impl Layout {
-    pub(super) fn of<'a, C: Camera, P, S: PixelShader<'a, P>>() -> Self {
-        Self { carried: S::Vertex::WORDS as u8, inverse: S::PERSPECTIVE, perspective: C::PERSPECTIVE }
+    pub(super) fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
+        Self {
+            carried: S::Vertex::WORDS as u8,
+            inverse: S::PERSPECTIVE,
+            perspective: C::PERSPECTIVE,
+            depth: const { if D::Vertex::WORDS == 0 { None } else { Some(depth::<D>) } },
+        }
     }
 }
 
+/// The word of a vertex's depth.
+fn depth<D: Depth>(position: &Position, inverse: Reciprocal) -> u32 {
+    let mut depth = 0;
+    D::vertex(|| Projection::nearness(position, inverse)).store(&mut |word| depth = word);
+    depth
+}
+
 /// One mesh on its way into the list.
-pub(super) struct Drawing<'m, D> {
+pub(super) struct Drawing<'m> {
     pub(super) transform: &'m Transform,
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) shaded: &'m dyn VertexShader,
     pub(super) layout: Layout,
     pub(super) placed: Placed<'m>,
-    pub(super) types: PhantomData<D>,
 }
 
-impl<D: Depth> Drawing<'_, D> {
+impl Drawing<'_> {
     /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
     pub(super) fn vertices(&self, mut words: &mut [u32]) {
         for (vertex, &position) in self.mesh.positions().iter().enumerate() {
@@ -100,7 +113,9 @@ impl<D: Depth> Drawing<'_, D> {
                 *place = word;
             }
         };
-        D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
+        if let Some(depth) = self.layout.depth {
+            put(depth(position, inverse));
+        }
         if self.layout.inverse {
             PerVertexInverse::new(inverse).store(&mut put);
         }
@@ -109,11 +124,10 @@ impl<D: Depth> Drawing<'_, D> {
         }
     }
 
-    /// Writes a polygon's vertices, from one of them on.
+    /// Writes a polygon's vertices.
     #[inline(never)]
-    pub(super) fn store_from(&self, place: usize, polygon: &Polygon, mut words: &mut [u32]) {
-        let (before, from) = polygon.split_at_checked(place).unwrap_or_default();
-        for vertex in from.iter().chain(before) {
+    pub(super) fn polygon_vertices(&self, polygon: &Polygon, mut words: &mut [u32]) {
+        for vertex in polygon {
             let Some((here, rest)) = words.split_at_mut_checked(self.placed.stride()) else { break };
             self.store(here, &vertex.position, &vertex.carried);
             words = rest;
