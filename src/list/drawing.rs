@@ -150,7 +150,7 @@ impl Drawing<'_> {
         let [triangle, _] = &mut *places;
         for vertex in corners.map(usize::from) {
             let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
-            let position = self.transform.position(position);
+            let position = self.transform.position_of_one(position);
             let _ = triangle.push(ClipVertex { position, carried: self.shaded.vertex(vertex) });
         }
         let mix = |from: &Carried, to: &Carried, at| self.shaded.mix(from, to, at);
