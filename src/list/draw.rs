@@ -32,24 +32,24 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         shader: &S,
     ) -> Result<(), DrawError> {
         let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
-        let layout = Layout::of::<C, P, D, S::Pixel>();
         let uniforms = shader.pixel().uniforms();
-        let pixel = ToKeep::new::<T, S::Pixel>(&uniforms);
-        self.place((&camera.viewport(), camera.matrix()), mesh, pose, &shaded, layout, &pixel)
+        let kind = &const { Kind::of::<C, T, S::Pixel>() };
+        self.place(camera, mesh, pose, &shaded, &uniforms, kind)
     }
 
     /// Places a mesh before a camera, and adds it if any of it can be seen. This, too, is linked once.
     #[inline(never)]
     fn place(
         &mut self,
-        (viewport, matrix): (&Result<Viewport, TooLarge>, &Matrix),
+        camera: &dyn View,
         mesh: &Mesh<'_>,
         pose: &Pose,
         shaded: &dyn VertexShader,
-        layout: Layout,
-        pixel: &ToKeep<'_, 'a, P, D>,
+        uniforms: &Uniforms<'a>,
+        kind: &Kind<'a, P, D>,
     ) -> Result<(), DrawError> {
-        let viewport = (*viewport)?;
+        let (viewport, matrix) = camera.view();
+        let viewport = viewport?;
         let transform = Transform::new(viewport, matrix, mesh, pose);
         let faces = mesh.faces().len();
         if faces == 0 || transform.misses(mesh.bounds()) {
@@ -60,11 +60,11 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let before = self.mark();
         // With all of its faces cut.
         let vertices = mesh.positions().len() + MOST_CORNERS * faces;
-        let (kept, base) = self.keep(pixel, vertices)?;
+        let (kept, base) = self.keep(uniforms, kind, vertices)?;
         self.contents.size = [viewport.width(), viewport.height()];
         self.contents.stats.faces += faces;
-        let placed = Placed { colours: shaded, stride: pixel.stride as u8, kept, base };
-        let added = self.contents.add(&Drawing { transform: &transform, mesh, shaded, layout, placed }, before.words);
+        let placed = Placed { colours: shaded, stride: kind.stride as u8, kept, base };
+        let added = self.contents.add(&Drawing { transform: &transform, mesh, shaded, layout: kind.layout, placed }, before.words);
         self.forget(before);
         added
     }
@@ -85,7 +85,8 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     /// as its triangles can name as many `vertices` more.
     pub(super) fn keep(
         &mut self,
-        &ToKeep { uniforms, draw, stride }: &ToKeep<'_, 'a, P, D>,
+        uniforms: &Uniforms<'a>,
+        &Kind { draw, stride, .. }: &Kind<'a, P, D>,
         vertices: usize,
     ) -> Result<(u8, usize), DrawError> {
         // What comes now may need the words that planes are kept in.
@@ -109,16 +110,38 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
     }
 }
 
-/// A pixel shader that is to be kept: what it is made of, what draws with it, and how many words a vertex has.
-pub(super) struct ToKeep<'u, 'a, P, D: Depth> {
-    uniforms: &'u Uniforms<'a>,
-    draw: DrawFn<'a, P, D>,
-    pub(super) stride: usize,
+/// What a camera knows.
+trait View {
+    fn view(&self) -> (Result<Viewport, TooLarge>, &Matrix);
 }
 
-impl<'u, 'a, P: Copy, D: Depth> ToKeep<'u, 'a, P, D> {
-    pub(super) fn new<T: Traversal, S: PixelShader<'a, P>>(uniforms: &'u Uniforms<'a>) -> Self {
-        Self { uniforms, draw: render::triangle::<P, D, T, S>, stride: const { stride::<P, D, S>() } }
+impl<C: Camera> View for C {
+    fn view(&self) -> (Result<Viewport, TooLarge>, &Matrix) {
+        (self.viewport(), self.matrix())
+    }
+}
+
+/// What all draws with a pixel shader share: the function that draws its pixels, how many words a vertex has, and what they
+/// are.
+pub(super) struct Kind<'a, P, D: Depth> {
+    draw: DrawFn<'a, P, D>,
+    pub(super) stride: usize,
+    layout: Layout,
+}
+
+impl<'a, P: Copy, D: Depth> Kind<'a, P, D> {
+    /// Before a camera.
+    const fn of<C: Camera, T: Traversal, S: PixelShader<'a, P>>() -> Self {
+        Self {
+            draw: render::triangle::<P, D, T, S>,
+            stride: stride::<P, D, S>(),
+            layout: Layout::of::<P, D, S>(C::PERSPECTIVE),
+        }
+    }
+
+    /// Of vertices that are on the screen already.
+    pub(super) const fn projected<T: Traversal, S: PixelShader<'a, P>>() -> Self {
+        Self { draw: render::triangle::<P, D, T, S>, stride: stride::<P, D, S>(), layout: Layout::NOTHING }
     }
 }
 

@@ -4,7 +4,6 @@ use core::marker::PhantomData;
 
 use super::placed::{FaceColours, Placed, UNSEEN};
 use crate::attributes::{Carried, Fraction, Words, carried, mixed};
-use crate::camera::Camera;
 use crate::clip::{ClipVertex, Outcode, Polygon, clip};
 use crate::depth::Depth;
 use crate::math::recip::Reciprocal;
@@ -59,12 +58,16 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub(super) fn of<'a, C: Camera, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
+    /// Of a vertex whose words are written without it.
+    pub(super) const NOTHING: Self = Self { carried: 0, inverse: false, perspective: false, depth: None };
+
+    /// Before a camera with or without perspective.
+    pub(super) const fn of<'a, P, D: Depth, S: PixelShader<'a, P>>(perspective: bool) -> Self {
         Self {
             carried: S::Vertex::WORDS as u8,
             inverse: S::PERSPECTIVE,
-            perspective: C::PERSPECTIVE,
-            depth: const { if D::Vertex::WORDS == 0 { None } else { Some(depth::<D>) } },
+            perspective,
+            depth: if D::Vertex::WORDS == 0 { None } else { Some(depth::<D>) },
         }
     }
 }

@@ -3,7 +3,7 @@
 use embedded_graphics_core::geometry::Size;
 
 use super::contents::{Contents, Faces, LeftOut};
-use super::draw::ToKeep;
+use super::draw::Kind;
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
 use super::{DrawError, DrawList};
@@ -120,11 +120,11 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         }
         let before = self.mark();
         let uniforms = shader.uniforms();
-        let pixel = ToKeep::new::<T, S>(&uniforms);
-        let (kept, base) = self.keep(&pixel, count)?;
+        let kind = &const { Kind::projected::<T, S>() };
+        let (kept, base) = self.keep(&uniforms, kind, count)?;
         self.contents.size = [viewport.width(), viewport.height()];
         self.contents.stats.faces += faces.len();
-        let placed = Placed { colours: &colours, stride: pixel.stride as u8, kept, base };
+        let placed = Placed { colours: &colours, stride: kind.stride as u8, kept, base };
         let contents = &mut self.contents;
         let start = contents.used_words;
         let room = contents.room(&placed, count, faces.len(), before.words);
