@@ -136,7 +136,11 @@ impl Transform {
         for corner in 0..8 {
             let ([low_x, low_y, low_z], [high_x, high_y, high_z]) = (low, high);
             let pick = |bit: u8, low, high| if corner >> bit & 1 == 0 { low } else { high };
-            let at = self.position_of_one([pick(0, low_x, high_x), pick(1, low_y, high_y), pick(2, low_z, high_z)]);
+            let at = self.position_of_one([
+                pick(0, low_x, high_x),
+                pick(1, low_y, high_y),
+                pick(2, low_z, high_z),
+            ]);
             // What lies before the near plane is cut off there.
             let nearness =
                 if at.z < 0 { u32::MAX } else { Projection::nearness(&at, Projection::inverse(at.w)) };

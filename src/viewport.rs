@@ -58,16 +58,17 @@ impl Viewport {
         if width >= MAX_WIDTH || height >= MAX_HEIGHT || (width + 1) * (height + 1) >= MAX_AREA {
             return Err(TooLarge(size));
         }
-        // Bit by bit from the highest.
-        let (mut margin, mut bit) = (0, MAX_MARGIN);
-        while bit > 0 {
-            let (w, h) = (width + 2 * (margin | bit) + 1, height + 2 * (margin | bit) + 1);
-            if margin < MAX_MARGIN && w <= MAX_WIDTH && h <= MAX_HEIGHT && w * h < MAX_AREA {
-                margin |= bit;
+        let (mut low, mut high) = (0, MAX_MARGIN);
+        while low < high {
+            let margin = (low + high).div_ceil(2);
+            let (w, h) = (width + 2 * margin + 1, height + 2 * margin + 1);
+            if w <= MAX_WIDTH && h <= MAX_HEIGHT && w * h < MAX_AREA {
+                low = margin;
+            } else {
+                high = margin - 1;
             }
-            bit /= 2;
         }
-        Ok(Self { width: width as u16, height: height as u16, margin: margin as u16 })
+        Ok(Self { width: width as u16, height: height as u16, margin: low as u16 })
     }
 
     /// As much of a target from its top left as a viewport can hold.

@@ -2,14 +2,16 @@
 
 use core::slice::Iter;
 
+use super::draw::Seen;
 use super::drawing::Drawing;
 use super::placed::{Placed, UNSEEN};
 use super::{DrawError, ListTriangle, MAX_NAMED, Stats};
-use crate::clip::{Outcode, Polygon, least};
+use crate::clip::{MOST_CORNERS, Outcode, Polygon, least};
 use crate::math::format::Coord;
 use crate::retained::Records;
 use crate::setup::{Cull, canonical, facing};
 use crate::snapped::{Snapped, first_centre};
+use crate::transform::Transform;
 
 /// Vertices and triangles, and what becomes of those that come.
 #[derive(Debug)]
@@ -26,6 +28,9 @@ pub(super) struct Contents<'a> {
     pub(super) records: Records,
 }
 
+/// Keeps a shader.
+type Keep<'k, 'a> = &'k mut dyn FnMut(&mut Contents<'a>, usize) -> Result<(u8, usize), DrawError>;
+
 impl<'a> Contents<'a> {
     /// Nothing, with room for as much as these hold.
     pub(super) const fn new(words: &'a mut [u32], triangles: &'a mut [ListTriangle]) -> Self {
@@ -41,12 +46,30 @@ impl<'a> Contents<'a> {
         }
     }
 
-    /// Adds a mesh. Where there are no words for its vertices, as many are used as `before` the draw.
+    /// Adds a mesh if any of it can be seen: `keep` says where the shader of so many vertices is kept, and where the first
+    /// word of those is. Where there are no words for its own, as many are used as before.
     #[inline(never)]
-    pub(super) fn add(&mut self, drawing: &Drawing<'_>, before: usize) -> Result<(), DrawError> {
-        let Drawing { mesh, placed, .. } = drawing;
+    pub(super) fn place(&mut self, seen: &Seen<'_>, keep: Keep<'_, 'a>) -> Result<(), DrawError> {
+        let &Seen { camera, mesh, pose, shaded, layout } = seen;
+        let (viewport, matrix) = camera.view();
+        let viewport = viewport?;
+        let transform = &Transform::new(viewport, matrix, mesh, pose);
+        let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
+        if faces == 0 || transform.misses(mesh.bounds()) {
+            self.stats.faces += faces;
+            self.stats.outside += faces;
+            return Ok(());
+        }
+        let before = self.used_words;
+        // With all of its faces cut.
+        let (kept, base) = keep(self, vertices + MOST_CORNERS * faces)?;
+        self.size = [viewport.width(), viewport.height()];
+        self.stats.faces += faces;
+        let placed = Placed { colours: shaded, stride: layout.stride, kept, base };
         let start = self.used_words;
-        let first = self.room(placed, mesh.positions().len(), mesh.faces().len(), before)?;
+        let first = self.room(&placed, vertices, faces, before)?;
+        let drawing = &Drawing { transform, mesh, shaded, layout, placed };
+        let placed = &drawing.placed;
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
         let mut left_out = LeftOut::default();
         let mut faces = Faces::new(first, mesh.faces());
@@ -63,6 +86,17 @@ impl<'a> Contents<'a> {
             faces.face += 1;
         }
         left_out.result(self.free())
+    }
+
+    /// Goes on behind the vertices of a shader, whose first word is `base`, as long as as many more can be named.
+    pub(super) fn follow(&mut self, base: usize, stride: usize, vertices: usize) -> bool {
+        let named = (self.used_words - base + stride - 1).checked_div(stride).unwrap_or_default();
+        let follows = named + vertices <= MAX_NAMED;
+        if follows {
+            // Other shaders' vertices may lie between: the next ones start at a whole number of these.
+            self.used_words = base + named * stride;
+        }
+        follows
     }
 
     /// Takes words for the vertices of a draw: which of its shader's is the first. Where there are not as many, as many

@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 
 use super::placed::{FaceColours, Placed, UNSEEN};
+use super::render::stride;
 use crate::attributes::{Carried, Fraction, Words, carried, mixed};
 use crate::clip::{ClipVertex, Outcode, Polygon, clip};
 use crate::depth::Depth;
@@ -45,8 +46,9 @@ impl<'a, S: Shader<'a, P>, P> FaceColours for Shaded<'_, 'a, S, P> {
 }
 
 /// What the words of a vertex are.
-#[derive(Clone, Copy)]
 pub(super) struct Layout {
+    /// How many there are.
+    pub(super) stride: u8,
     /// How many are for the shader.
     carried: u8,
     /// Whether 1/w is one of them.
@@ -58,9 +60,6 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// Of a vertex whose words are written without it.
-    pub(super) const NOTHING: Self = Self { carried: 0, inverse: false, perspective: false, depth: None };
-
     /// Before a camera with or without perspective.
     pub(super) const fn of<'a, P, D: Depth, S: PixelShader<'a, P>>(perspective: bool) -> Self {
         Self {
@@ -68,7 +67,14 @@ impl Layout {
             inverse: S::PERSPECTIVE,
             perspective,
             depth: if D::Vertex::WORDS == 0 { None } else { Some(depth::<D>) },
+            ..Self::written::<P, D, S>()
         }
+    }
+
+    /// Of vertices whose words are written without it.
+    pub(super) const fn written<'a, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
+        let stride = const { stride::<P, D, S>() as u8 };
+        Self { stride, carried: 0, inverse: false, perspective: false, depth: None }
     }
 }
 
@@ -84,7 +90,7 @@ pub(super) struct Drawing<'m> {
     pub(super) transform: &'m Transform,
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) shaded: &'m dyn VertexShader,
-    pub(super) layout: Layout,
+    pub(super) layout: &'m Layout,
     pub(super) placed: Placed<'m>,
 }
 

@@ -61,6 +61,9 @@ struct Kept<'a, P, D: Depth> {
     block: Block,
 }
 
+/// The shaders of a list.
+type Shaders<'a, P, D> = Vec<Kept<'a, P, D>, MAX_SHADERS>;
+
 /// Words of a vertex at most: x, y, depth, 1/w, and four for its shader.
 const MAX_STRIDE: usize = 8;
 
@@ -181,7 +184,7 @@ pub struct Stats {
 #[derive(Debug)]
 pub struct DrawList<'a, P, D: Depth, T = Spans> {
     contents: Contents<'a>,
-    shaders: Vec<Kept<'a, P, D>, MAX_SHADERS>,
+    shaders: Shaders<'a, P, D>,
     traversal: PhantomData<T>,
 }
 

@@ -3,7 +3,7 @@
 use embedded_graphics_core::geometry::Size;
 
 use super::contents::{Contents, Faces, LeftOut};
-use super::draw::Kind;
+use super::draw::{Kind, forget, keep};
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
 use super::{DrawError, DrawList};
@@ -118,22 +118,22 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         if faces.is_empty() {
             return Ok(());
         }
-        let before = self.mark();
+        let Self { contents, shaders, .. } = self;
+        let (before, shaders_before) = (contents.used_words, shaders.len());
         let uniforms = shader.uniforms();
         let kind = &const { Kind::projected::<T, S>() };
-        let (kept, base) = self.keep(&uniforms, kind, count)?;
-        self.contents.size = [viewport.width(), viewport.height()];
-        self.contents.stats.faces += faces.len();
-        let placed = Placed { colours: &colours, stride: kind.stride as u8, kept, base };
-        let contents = &mut self.contents;
+        let (kept, base) = keep(shaders, contents, &uniforms, kind, count)?;
+        contents.size = [viewport.width(), viewport.height()];
+        contents.stats.faces += faces.len();
+        let placed = Placed { colours: &colours, stride: kind.layout.stride, kept, base };
         let start = contents.used_words;
-        let room = contents.room(&placed, count, faces.len(), before.words);
+        let room = contents.room(&placed, count, faces.len(), before);
         if let Ok(first) = room {
             let words = contents.words.get_mut(start..contents.used_words).unwrap_or_default();
             write::<P, D, S>(&viewport, vertices, words);
             return contents.add_seen(&placed, first, faces);
         }
-        self.forget(before);
+        forget(shaders, contents, before, shaders_before);
         room.map(|_| ())
     }
 }

@@ -5,9 +5,8 @@ use core::ops::Range;
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::prelude::PixelColor;
-use heapless::Vec;
 
-use super::{DrawList, Kept, ListTriangle, MAX_SHADERS};
+use super::{DrawList, ListTriangle, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::pipeline::{self, Vertices};
@@ -68,7 +67,8 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
             self.contents.records = Records::NONE;
             return;
         }
-        let (vertices, free) = self.contents.words.split_at_mut_checked(self.contents.used_words).unwrap_or_default();
+        let (vertices, free) =
+            self.contents.words.split_at_mut_checked(self.contents.used_words).unwrap_or_default();
         let free = Cell::from_mut(free).as_slice_of_cells();
         target.retained = self.contents.records.start(free, &target.window.rows);
         let triangles = self.contents.triangles.get(..self.contents.used_triangles).unwrap_or_default();
@@ -119,7 +119,7 @@ fn window<'r, P: Copy, D: Depth>(
 /// What is rendered of a list.
 struct View<'l, 'a, P, D: Depth> {
     triangles: &'l [ListTriangle],
-    shaders: &'l Vec<Kept<'a, P, D>, MAX_SHADERS>,
+    shaders: &'l Shaders<'a, P, D>,
     words: &'l [u32],
 }
 

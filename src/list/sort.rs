@@ -222,7 +222,8 @@ mod tests {
         (list.contents.used_triangles, list.shaders) = (count, shaders);
         let mut scratch = std::vec![[0xDEAD; 3]; count + 1];
         prop_assert_eq!(list.sort(&mut scratch), Ok(()));
-        let sorted: Vec<[u8; 3]> = list.contents.triangles[..count].iter().map(|triangle| triangle.colour).collect();
+        let sorted: Vec<[u8; 3]> =
+            list.contents.triangles[..count].iter().map(|triangle| triangle.colour).collect();
         let expected: Vec<[u8; 3]> = expected.iter().map(|(_, colour)| *colour).collect();
         prop_assert_eq!(sorted, expected);
         Ok(())

@@ -68,19 +68,20 @@ pub(super) fn reciprocals<T>(
     if texel_box.octave {
         sampler.octave(run, &Octave { texel_box, start: &start, step }, &reciprocal);
     } else {
-        octaves(texel_box, start, step, run, &mut |run, octave| sampler.octave(run, octave, &reciprocal));
+        octaves(texel_box, start, step, run, reciprocal, sampler);
     }
 }
 
 /// Divides at each pixel of a run of more than one octave. The shift that normalises 1/w is sought once for as many pixels
-/// as share it: between two that do, all do, as 1/w is linear. Whatever shows an octave, this is linked once.
+/// as share it: between two that do, all do, as 1/w is linear.
 #[inline(never)]
 fn octaves<T>(
     texel_box: &TexelBox,
     start: OverW,
     step: &OverW,
     mut run: &mut [T],
-    show: &mut dyn FnMut(&mut [T], &Octave<'_>),
+    reciprocal: impl Fn(u32) -> u32,
+    sampler: &mut impl Sampler<T>,
 ) {
     let (mut at, mut shift) = (start, 1);
     loop {
@@ -93,7 +94,7 @@ fn octaves<T>(
         let from = if pixels == 1 { at.clamped() } else { at };
         shift = recip::normalising(from.q.cast_unsigned(), shift);
         let octave = Octave { texel_box, start: &from.up(shift - 1), step: &step.up(shift - 1) };
-        show(now, &octave);
+        sampler.octave(now, &octave, &reciprocal);
         if later.is_empty() {
             return;
         }
