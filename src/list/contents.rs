@@ -28,7 +28,7 @@ pub(super) struct Contents<'a> {
     pub(super) records: Records,
 }
 
-/// Keeps a shader.
+/// Keeps the shader of so many vertices, and says where: its place, and the first word of its vertices.
 type Keep<'k, 'a> = &'k mut dyn FnMut(&mut Contents<'a>, usize) -> Result<(u8, usize), DrawError>;
 
 impl<'a> Contents<'a> {
@@ -75,10 +75,9 @@ impl<'a> Contents<'a> {
         let mut faces = Faces::new(first, mesh.faces());
         while let Some((corners, planes)) = self.faces(placed, &mut faces, &mut left_out) {
             self.stats.clipped += 1;
-            let Fan { first, least, corners } = self.clipped(drawing, corners, planes, &mut left_out);
+            let (first, corners) = self.clipped(drawing, corners, planes, &mut left_out);
             for second in 1..corners.saturating_sub(1) {
-                let corner = |place: usize| (if place < corners { place } else { place - corners }) as u16;
-                let part = [[least, least + second, least + second + 1].map(corner)];
+                let part = [[0, second as u16, second as u16 + 1]];
                 // It crosses no plane.
                 let mut part = Faces { first, corners: part.iter(), face: faces.face };
                 self.faces(placed, &mut part, &mut left_out);
@@ -200,7 +199,8 @@ impl<'a> Contents<'a> {
         Added::Done
     }
 
-    /// Clips a face, and adds the vertices of the polygon that is left of it. Apart, as few faces are.
+    /// Clips a face, and adds the vertices of the polygon that is left of it, from its least one on: the first of them, and
+    /// how many there are. Apart, as few faces are.
     #[inline(never)]
     fn clipped(
         &mut self,
@@ -208,7 +208,7 @@ impl<'a> Contents<'a> {
         corners: [u16; 3],
         planes: Outcode,
         left_out: &mut LeftOut,
-    ) -> Fan {
+    ) -> (usize, usize) {
         let mut places = [Polygon::new(), Polygon::new()];
         let polygon = drawing.polygon(corners, planes, &mut places);
         let Drawing { placed, .. } = drawing;
@@ -219,25 +219,18 @@ impl<'a> Contents<'a> {
         if first + polygon.len() > MAX_NAMED || !self.reserve(words) {
             left_out.triangles += polygon.len().saturating_sub(2);
             left_out.words += words;
-            return Fan { first, least: 0, corners: 0 };
+            return (first, 0);
         }
         let words = self.words.get_mut(start..).unwrap_or_default();
-        drawing.polygon_vertices(polygon, words);
+        drawing.store_from(0, polygon, words);
         let snapped = |_: &_, place: usize| {
             let [x, y] = header(words, place * stride).unwrap_or_default();
             Snapped::from_bits(x.cast_signed(), y.cast_signed())
         };
-        Fan { first, least: least(polygon, &snapped), corners: polygon.len() }
+        let least = least(polygon, &snapped);
+        drawing.store_from(least, polygon, words);
+        (first, polygon.len())
     }
-}
-
-/// What is left of a face that was cut, as triangles that share a corner: the least, so that they are the same whichever
-/// vertex the face starts with.
-struct Fan {
-    /// The vertex that corners are counted from.
-    first: usize,
-    least: usize,
-    corners: usize,
 }
 
 /// Faces of a draw, or a part of one.

@@ -90,7 +90,7 @@ pub(super) fn keep<'a, P, D: Depth>(
 
 /// A mesh before a camera, and what its vertices carry.
 pub(super) struct Seen<'m> {
-    pub(super) camera: &'m dyn View,
+    pub(super) camera: &'m dyn Eye,
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) pose: &'m Pose,
     pub(super) shaded: &'m dyn VertexShader,
@@ -98,11 +98,11 @@ pub(super) struct Seen<'m> {
 }
 
 /// What a camera knows.
-pub(super) trait View {
+pub(super) trait Eye {
     fn view(&self) -> (Result<Viewport, TooLarge>, &Matrix);
 }
 
-impl<C: Camera> View for C {
+impl<C: Camera> Eye for C {
     fn view(&self) -> (Result<Viewport, TooLarge>, &Matrix) {
         (self.viewport(), self.matrix())
     }

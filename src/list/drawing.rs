@@ -133,10 +133,11 @@ impl Drawing<'_> {
         }
     }
 
-    /// Writes a polygon's vertices.
+    /// Writes a polygon's vertices, from one of them on.
     #[inline(never)]
-    pub(super) fn polygon_vertices(&self, polygon: &Polygon, mut words: &mut [u32]) {
-        for vertex in polygon {
+    pub(super) fn store_from(&self, place: usize, polygon: &Polygon, mut words: &mut [u32]) {
+        let (before, from) = polygon.split_at_checked(place).unwrap_or_default();
+        for vertex in from.iter().chain(before) {
             let Some((here, rest)) = words.split_at_mut_checked(self.placed.stride()) else { break };
             self.store(here, &vertex.position, &vertex.carried);
             words = rest;
