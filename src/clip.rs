@@ -79,20 +79,10 @@ pub(crate) fn clip<'p>(
 
 /// The place of the least vertex by where all are snapped to, row before column, and by what else tells them apart: a fan
 /// from there is the same whichever vertex the polygon was found from, and whichever way round.
-#[inline]
-pub(crate) fn least(polygon: &Polygon, snapped: impl Iterator<Item = Snapped>) -> usize {
-    let mut places = [Snapped::from_bits(0, 0); MOST_CORNERS];
-    for (place, at) in places.iter_mut().zip(snapped) {
-        *place = at;
-    }
-    least_of(polygon, &places)
-}
-
-/// The same: whoever asks, this is linked once.
 #[inline(never)]
-fn least_of(polygon: &Polygon, snapped: &[Snapped; MOST_CORNERS]) -> usize {
-    let least = polygon.iter().zip(snapped).enumerate().min_by_key(|(_, (vertex, snapped))| {
-        let (at, (x, y)) = (vertex.position, snapped.bits());
+pub(crate) fn least(polygon: &Polygon, snapped: &dyn Fn(&ClipVertex, usize) -> Snapped) -> usize {
+    let least = polygon.iter().enumerate().min_by_key(|&(place, vertex)| {
+        let (at, (x, y)) = (vertex.position, snapped(vertex, place).bits());
         [y, x, at.w, at.z, at.x, at.y]
     });
     least.map_or(0, |(place, _)| place)

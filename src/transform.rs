@@ -44,19 +44,15 @@ impl Transform {
         let whole = matrix.times(&pose.of_box(mesh.centre(), mesh.half()));
         // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
         let reach = projection.reach_log2 + 1;
-        let wide = [
-            scaled(&whole.row(0), viewport.width(), reach),
-            scaled(&whole.row(1), -viewport.height(), reach),
-            scaled(&whole.row(2), 1 << reach, reach),
-            scaled(&whole.row(3), 1 << reach, reach),
-        ];
+        let factors = [viewport.width(), -viewport.height(), 1 << reach, 1 << reach];
+        let mut rows = whole.rows().iter();
+        let wide = factors.map(|factor| {
+            let row = rows.next().copied().unwrap_or_default();
+            row.map(|element| product::signed(element, factor) >> reach)
+        });
         // The largest coordinate in the mesh's cube decides the power of two: 30 bits of it are kept.
-        let largest = wide
-            .iter()
-            .map(|row| row.iter().map(|e| e.unsigned_abs()).sum::<u64>())
-            .max()
-            .unwrap_or_default();
-        let shift = largest.leading_zeros() as i32 - 34;
+        let largest = |bits: u64, row: &[i64; 4]| bits | row.iter().fold(0, |sum, e| sum + e.unsigned_abs());
+        let shift = wide.iter().fold(0, largest).leading_zeros() as i32 - 34;
         let moved = |e: i64| if shift >= 0 { e << shift } else { e >> -shift };
         let mut rows = [[0; 4]; 4];
         for (to, from) in rows.iter_mut().zip(&wide) {
@@ -70,57 +66,59 @@ impl Transform {
     }
 
     /// A vertex of the mesh in clip space.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn position(&self, vertex: [i16; 3]) -> Position {
-        let [px, py, pz] = vertex;
-        let (px, py, pz) = (i32::from(px), i32::from(py), i32::from(pz));
         let [x, y, z, w] = &self.rows;
-        let row = |[a, b, c, t]: &[i32; 4]| {
-            high_product(*a, px)
-                .wrapping_add(high_product(*b, py))
-                .wrapping_add(high_product(*c, pz))
-                .wrapping_add(*t)
-        };
-        Position { x: row(x), y: row(y), z: row(z), w: row(w) }
+        Position {
+            x: coordinate(x, vertex),
+            y: coordinate(y, vertex),
+            z: coordinate(z, vertex),
+            w: coordinate(w, vertex),
+        }
+    }
+
+    /// The same in less code, for few vertices.
+    #[inline(never)]
+    pub(crate) fn position_of_one(&self, vertex: [i16; 3]) -> Position {
+        #[inline(never)]
+        fn one(row: &[i32; 4], vertex: [i16; 3]) -> Clip {
+            coordinate(row, vertex)
+        }
+        let [x, y, z, w] = &self.rows;
+        Position { x: one(x, vertex), y: one(y, vertex), z: one(z, vertex), w: one(w, vertex) }
     }
 
     /// Whether a box of positions lies outside one plane of the view as a whole.
-    pub(crate) fn misses(&self, [low, high]: [[i16; 3]; 2]) -> bool {
+    pub(crate) fn misses(&self, bounds: [[i16; 3]; 2]) -> bool {
         let [x, y, z, w] = &self.rows;
         let viewport = &self.projection.viewport;
         let (width, height) = (viewport.width(), viewport.height());
         let reach = 2 << self.projection.reach_log2;
-        // Each plane as a sum `a x + b w` that is negative outside, in the best corner of the box.
-        let outside = |(row, by, size): (&[i32; 4], i32, i32)| {
-            let mut best = 0;
-            for (axis, (&r, &w)) in row.iter().zip(w).enumerate() {
-                let slope = product::signed(r, by) + product::signed(w, size);
-                best += match (low.get(axis), high.get(axis)) {
-                    (Some(&low), Some(&high)) => {
-                        product::signed((slope >> 16) as i32, i32::from(if slope < 0 { low } else { high }))
-                    }
-                    _ => slope,
-                };
-            }
-            // Truncations of the three products and of the coordinates themselves.
-            best < -i64::from(4 * (by.abs() + size) + (3 << 16))
-        };
-        let planes = [
-            (z, 1, 0),
-            (z, -1, 1),
-            (x, reach, width),
-            (x, -reach, width),
-            (y, reach, height),
-            (y, -reach, height),
-        ];
-        planes.into_iter().any(outside)
+        let beyond = |row, by, size| beyond([row, w], [by, size], &bounds);
+        beyond(z, 1, 0)
+            || beyond(z, -1, 1)
+            || beyond(x, reach, width)
+            || beyond(x, -reach, width)
+            || beyond(y, reach, height)
+            || beyond(y, -reach, height)
     }
 }
 
-/// A row of a matrix, times a factor and down by some bits.
+/// Whether a sum of two rows, each times a factor, is negative in all of a box: in the best corner of it.
 #[inline(never)]
-fn scaled(row: &[i32; 4], factor: i32, down: u32) -> [i64; 4] {
-    row.map(|element| product::signed(element, factor) >> down)
+fn beyond([row, w]: [&[i32; 4]; 2], [by, size]: [i32; 2], [low, high]: &[[i16; 3]; 2]) -> bool {
+    let mut best = 0;
+    for (axis, (&r, &w)) in row.iter().zip(w).enumerate() {
+        let slope = product::signed(r, by) + product::signed(w, size);
+        best += match (low.get(axis), high.get(axis)) {
+            (Some(&low), Some(&high)) => {
+                product::signed((slope >> 16) as i32, i32::from(if slope < 0 { low } else { high }))
+            }
+            _ => slope,
+        };
+    }
+    // Truncations of the three products and of the coordinates themselves.
+    best < -i64::from(4 * (by.abs() + size) + (3 << 16))
 }
 
 /// Where w is less, its own error counts for too much.
@@ -138,7 +136,11 @@ impl Transform {
         for corner in 0..8 {
             let ([low_x, low_y, low_z], [high_x, high_y, high_z]) = (low, high);
             let pick = |bit: u8, low, high| if corner >> bit & 1 == 0 { low } else { high };
-            let at = self.position([pick(0, low_x, high_x), pick(1, low_y, high_y), pick(2, low_z, high_z)]);
+            let at = self.position_of_one([
+                pick(0, low_x, high_x),
+                pick(1, low_y, high_y),
+                pick(2, low_z, high_z),
+            ]);
             // What lies before the near plane is cut off there.
             let nearness =
                 if at.z < 0 { u32::MAX } else { Projection::nearness(&at, Projection::inverse(at.w)) };
@@ -151,6 +153,15 @@ impl Transform {
         let margin = (product::unsigned(18, inverse.mantissa) << inverse.shift >> 30) as u32 + 70;
         [least.saturating_sub(margin), greatest.saturating_add(margin)]
     }
+}
+
+/// A row of the matrix times a vertex.
+#[inline(always)]
+fn coordinate([a, b, c, t]: &[i32; 4], [x, y, z]: [i16; 3]) -> Clip {
+    high_product(*a, x.into())
+        .wrapping_add(high_product(*b, y.into()))
+        .wrapping_add(high_product(*c, z.into()))
+        .wrapping_add(*t)
 }
 
 /// `factor * position / 2^16`, rounded down, from 32-bit products.
@@ -220,7 +231,8 @@ impl Projection {
     pub(crate) fn centred(viewport: Viewport) -> Self {
         let centre = [viewport.width(), viewport.height()].map(|length| length << (SUBPIXEL_BITS - 1));
         let longest = viewport.width().max(viewport.height()).max(2).unsigned_abs();
-        let reach_log2 = longest.next_power_of_two().ilog2() - 1;
+        // Of the power of two that it fits in, half.
+        let reach_log2 = 31 - (longest - 1).leading_zeros();
         let reach = 1 << (reach_log2 + SUBPIXEL_BITS);
         let beyond = |length: i32, centre: i32| {
             let (low, high) = viewport.guard(length);
@@ -258,7 +270,7 @@ impl Projection {
     }
 
     /// One over w, for [`project`](Self::project).
-    #[inline]
+    #[inline(never)]
     pub(crate) fn inverse(w: Clip) -> Reciprocal {
         recip::vertex(w.max(1).unsigned_abs())
     }

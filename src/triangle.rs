@@ -179,7 +179,7 @@ fn fan(
     let polygon = clip(Outcode(any), projection, mix, &mut places);
     // Clipping leaves w as it is: nothing has to be divided.
     let snap = |vertex: &ClipVertex| projection.held(vertex.position.x, vertex.position.y);
-    let least = least(polygon, polygon.iter().map(snap));
+    let least = least(polygon, &|vertex, _| snap(vertex));
     let (before, from) = polygon.split_at_checked(least).unwrap_or_default();
     let mut corners = Vec::<_, MOST_CORNERS>::new();
     for vertex in from.iter().chain(before) {

@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 
 use super::placed::{FaceColours, Placed, UNSEEN};
+use super::render::stride;
 use crate::attributes::{Carried, Fraction, Words, carried, mixed};
-use crate::camera::Camera;
 use crate::clip::{ClipVertex, Outcode, Polygon, clip};
 use crate::depth::Depth;
 use crate::math::recip::Reciprocal;
@@ -46,33 +46,55 @@ impl<'a, S: Shader<'a, P>, P> FaceColours for Shaded<'_, 'a, S, P> {
 }
 
 /// What the words of a vertex are.
-#[derive(Clone, Copy)]
 pub(super) struct Layout {
+    /// How many there are.
+    pub(super) stride: u8,
     /// How many are for the shader.
     carried: u8,
     /// Whether 1/w is one of them.
     inverse: bool,
     /// Whether vertices have a w each.
     perspective: bool,
+    /// What makes the word of depth, if there is one. One such function is linked for each way to hide that is used.
+    depth: Option<fn(&Position, Reciprocal) -> u32>,
 }
 
 impl Layout {
-    pub(super) fn of<'a, C: Camera, P, S: PixelShader<'a, P>>() -> Self {
-        Self { carried: S::Vertex::WORDS as u8, inverse: S::PERSPECTIVE, perspective: C::PERSPECTIVE }
+    /// Before a camera with or without perspective.
+    pub(super) const fn of<'a, P, D: Depth, S: PixelShader<'a, P>>(perspective: bool) -> Self {
+        Self {
+            carried: S::Vertex::WORDS as u8,
+            inverse: S::PERSPECTIVE,
+            perspective,
+            depth: if D::Vertex::WORDS == 0 { None } else { Some(depth::<D>) },
+            ..Self::written::<P, D, S>()
+        }
+    }
+
+    /// Of vertices whose words are written without it.
+    pub(super) const fn written<'a, P, D: Depth, S: PixelShader<'a, P>>() -> Self {
+        let stride = const { stride::<P, D, S>() as u8 };
+        Self { stride, carried: 0, inverse: false, perspective: false, depth: None }
     }
 }
 
+/// The word of a vertex's depth.
+fn depth<D: Depth>(position: &Position, inverse: Reciprocal) -> u32 {
+    let mut depth = 0;
+    D::vertex(|| Projection::nearness(position, inverse)).store(&mut |word| depth = word);
+    depth
+}
+
 /// One mesh on its way into the list.
-pub(super) struct Drawing<'m, D> {
+pub(super) struct Drawing<'m> {
     pub(super) transform: &'m Transform,
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) shaded: &'m dyn VertexShader,
-    pub(super) layout: Layout,
+    pub(super) layout: &'m Layout,
     pub(super) placed: Placed<'m>,
-    pub(super) types: PhantomData<D>,
 }
 
-impl<D: Depth> Drawing<'_, D> {
+impl Drawing<'_> {
     /// Writes all vertices of the mesh, those that can be seen and the planes that others lie outside of.
     pub(super) fn vertices(&self, mut words: &mut [u32]) {
         for (vertex, &position) in self.mesh.positions().iter().enumerate() {
@@ -100,7 +122,9 @@ impl<D: Depth> Drawing<'_, D> {
                 *place = word;
             }
         };
-        D::vertex(|| Projection::nearness(position, inverse)).store(&mut put);
+        if let Some(depth) = self.layout.depth {
+            put(depth(position, inverse));
+        }
         if self.layout.inverse {
             PerVertexInverse::new(inverse).store(&mut put);
         }
@@ -136,7 +160,7 @@ impl<D: Depth> Drawing<'_, D> {
         let [triangle, _] = &mut *places;
         for vertex in corners.map(usize::from) {
             let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
-            let position = self.transform.position(position);
+            let position = self.transform.position_of_one(position);
             let _ = triangle.push(ClipVertex { position, carried: self.shaded.vertex(vertex) });
         }
         let mix = |from: &Carried, to: &Carried, at| self.shaded.mix(from, to, at);

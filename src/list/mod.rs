@@ -8,12 +8,12 @@ use heapless::Vec;
 use crate::depth::Depth;
 use crate::mesh::MeshError;
 use crate::raster::Spans;
-use crate::retained::Records;
 use crate::setup::Cull;
 use crate::shade::Uniforms;
 use crate::target::Rows;
 use crate::viewport::TooLarge;
 
+mod contents;
 mod draw;
 mod drawing;
 mod placed;
@@ -22,6 +22,7 @@ mod render;
 mod sort;
 mod storage;
 
+use contents::Contents;
 pub use projected::ProjectedVertex;
 pub use sort::SortError;
 pub use storage::ListStorage;
@@ -59,6 +60,9 @@ struct Kept<'a, P, D: Depth> {
     draw: DrawFn<'a, P, D>,
     block: Block,
 }
+
+/// The shaders of a list.
+type Shaders<'a, P, D> = Vec<Kept<'a, P, D>, MAX_SHADERS>;
 
 /// Words of a vertex at most: x, y, depth, 1/w, and four for its shader.
 const MAX_STRIDE: usize = 8;
@@ -179,17 +183,8 @@ pub struct Stats {
 /// ```
 #[derive(Debug)]
 pub struct DrawList<'a, P, D: Depth, T = Spans> {
-    words: &'a mut [u32],
-    used_words: usize,
-    triangles: &'a mut [ListTriangle],
-    used_triangles: usize,
-    shaders: Vec<Kept<'a, P, D>, MAX_SHADERS>,
-    cull: Cull,
-    /// Columns and rows of the cameras' viewport.
-    size: [i32; 2],
-    stats: Stats,
-    /// What triangles are set up to that go on below the last strip, in the words that are not used.
-    records: Records,
+    contents: Contents<'a>,
+    shaders: Shaders<'a, P, D>,
     traversal: PhantomData<T>,
 }
 
@@ -210,40 +205,30 @@ impl<'a, P, D: Depth, T> DrawList<'a, P, D, T> {
     /// assert_eq!(list.stats().drawn, 0);
     /// ```
     pub const fn with_traversal(vertices: &'a mut [u32], triangles: &'a mut [ListTriangle]) -> Self {
-        Self {
-            words: vertices,
-            used_words: 0,
-            triangles,
-            used_triangles: 0,
-            shaders: Vec::new(),
-            cull: Cull::Back,
-            size: [0; 2],
-            stats: Stats { faces: 0, culled: 0, outside: 0, clipped: 0, drawn: 0 },
-            records: Records::NONE,
-            traversal: PhantomData,
-        }
+        let contents = Contents::new(vertices, triangles);
+        Self { contents, shaders: Vec::new(), traversal: PhantomData }
     }
 
     /// Sets which faces are left out of what is drawn from now on: backs, unless it is said otherwise.
     pub const fn set_cull(&mut self, cull: Cull) {
-        self.cull = cull;
+        self.contents.cull = cull;
     }
 
     /// Empties the list for the next frame. What is culled stays set.
     pub fn clear(&mut self) {
-        self.used_words = 0;
-        self.used_triangles = 0;
+        self.contents.used_words = 0;
+        self.contents.used_triangles = 0;
+        self.contents.stats = Stats::default();
         self.shaders.clear();
-        self.stats = Stats::default();
     }
 
     /// What became of the faces that were drawn so far.
     pub const fn stats(&self) -> Stats {
-        self.stats
+        self.contents.stats
     }
 
     /// Words of vertices in use.
     pub const fn words(&self) -> usize {
-        self.used_words
+        self.contents.used_words
     }
 }

@@ -2,7 +2,8 @@
 
 use embedded_graphics_core::geometry::Size;
 
-use super::draw::{Faces, LeftOut, ToKeep};
+use super::contents::{Contents, Faces, LeftOut};
+use super::draw::{Kind, forget, keep};
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
 use super::{DrawError, DrawList};
@@ -117,21 +118,32 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         if faces.is_empty() {
             return Ok(());
         }
-        let before = self.mark();
+        let Self { contents, shaders, .. } = self;
+        let (before, shaders_before) = (contents.used_words, shaders.len());
         let uniforms = shader.uniforms();
-        let pixel = ToKeep::new::<T, S>(&uniforms);
-        let (kept, base) = self.keep(&pixel, count)?;
-        self.size = [viewport.width(), viewport.height()];
-        self.stats.faces += faces.len();
-        let placed = Placed { colours: &colours, stride: pixel.stride as u8, kept, base };
-        let start = self.used_words;
-        let first = self.room(&placed, count, faces.len(), before)?;
-        let words = self.words.get_mut(start..self.used_words).unwrap_or_default();
-        write::<P, D, S>(&viewport, vertices, words);
+        let kind = &const { Kind::projected::<T, S>() };
+        let (kept, base) = keep(shaders, contents, &uniforms, kind, count)?;
+        contents.size = [viewport.width(), viewport.height()];
+        contents.stats.faces += faces.len();
+        let placed = Placed { colours: &colours, stride: kind.layout.stride, kept, base };
+        let start = contents.used_words;
+        let room = contents.room(&placed, count, faces.len(), before);
+        if let Ok(first) = room {
+            let words = contents.words.get_mut(start..contents.used_words).unwrap_or_default();
+            write::<P, D, S>(&viewport, vertices, words);
+            return contents.add_seen(&placed, first, faces);
+        }
+        forget(shaders, contents, before, shaders_before);
+        room.map(|_| ())
+    }
+}
+
+impl Contents<'_> {
+    /// Adds faces, but for those that have a vertex which is nowhere.
+    fn add_seen(&mut self, placed: &Placed<'_>, first: usize, faces: &[[u16; 3]]) -> Result<(), DrawError> {
         let mut left_out = LeftOut::default();
         let mut faces = Faces::new(first, faces);
-        while self.faces(&placed, &mut faces, &mut left_out).is_some() {
-            // A vertex of it is nowhere.
+        while self.faces(placed, &mut faces, &mut left_out).is_some() {
             self.stats.outside += 1;
             faces.face += 1;
         }

@@ -5,9 +5,8 @@ use core::ops::Range;
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::prelude::PixelColor;
-use heapless::Vec;
 
-use super::{DrawList, Kept, ListTriangle, MAX_SHADERS};
+use super::{DrawList, ListTriangle, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::pipeline::{self, Vertices};
@@ -25,9 +24,9 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
     /// What the strip shows stays where no triangle is: clear it first. Triangles are drawn in the order they were
     /// given, or that [`sort`](DrawList::sort) put them in. Nothing is changed in the list, so several cores may render from it at once.
     pub fn render(&self, rows: Range<i32>, strip: &mut Strip<'_, P, D>) {
-        let mut target = window(self.size, rows, strip);
-        let triangles = self.triangles.get(..self.used_triangles).unwrap_or_default();
-        View { triangles, shaders: &self.shaders, words: self.words }.render(&mut target);
+        let mut target = window(self.contents.size, rows, strip);
+        let triangles = self.contents.triangles.get(..self.contents.used_triangles).unwrap_or_default();
+        View { triangles, shaders: &self.shaders, words: self.contents.words }.render(&mut target);
     }
 
     /// Draws the same as [`render`](DrawList::render), in fewer cycles where strips come from the top of the frame down: a
@@ -63,17 +62,18 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
     /// assert_eq!(red, [2, 6, 10, 14]);
     /// ```
     pub fn render_next(&mut self, rows: Range<i32>, strip: &mut Strip<'_, P, D>) {
-        let mut target = window(self.size, rows, strip);
+        let mut target = window(self.contents.size, rows, strip);
         if target.window.rows.is_empty() {
-            self.records = Records::NONE;
+            self.contents.records = Records::NONE;
             return;
         }
-        let (vertices, free) = self.words.split_at_mut_checked(self.used_words).unwrap_or_default();
+        let (vertices, free) =
+            self.contents.words.split_at_mut_checked(self.contents.used_words).unwrap_or_default();
         let free = Cell::from_mut(free).as_slice_of_cells();
-        target.retained = self.records.start(free, &target.window.rows);
-        let triangles = self.triangles.get(..self.used_triangles).unwrap_or_default();
+        target.retained = self.contents.records.start(free, &target.window.rows);
+        let triangles = self.contents.triangles.get(..self.contents.used_triangles).unwrap_or_default();
         View { triangles, shaders: &self.shaders, words: vertices }.render(&mut target);
-        self.records.end(&target.retained);
+        self.contents.records.end(&target.retained);
     }
 
     /// Draws a whole frame to a display, strip by strip: each is cleared, rendered, and handed over by one
@@ -119,7 +119,7 @@ fn window<'r, P: Copy, D: Depth>(
 /// What is rendered of a list.
 struct View<'l, 'a, P, D: Depth> {
     triangles: &'l [ListTriangle],
-    shaders: &'l Vec<Kept<'a, P, D>, MAX_SHADERS>,
+    shaders: &'l Shaders<'a, P, D>,
     words: &'l [u32],
 }
 

@@ -2,7 +2,7 @@
 
 use core::hint::black_box;
 
-use super::{DrawList, ListTriangle};
+use super::{Contents, DrawList, ListTriangle};
 use crate::attributes::Words;
 use crate::depth::{Nearness, Painter};
 use crate::retained::Records;
@@ -67,8 +67,8 @@ impl<P, T> DrawList<'_, P, Painter, T> {
     /// # Errors
     /// The scratch is shorter than the list, or the list longer than 65 536 triangles; it stays as it was.
     pub fn sort(&mut self, scratch: &mut [[u16; 3]]) -> Result<(), SortError> {
-        self.records = Records::NONE;
-        let Self { words, triangles, used_triangles, shaders, .. } = self;
+        let Self { contents: Contents { words, triangles, used_triangles, records, .. }, shaders, .. } = self;
+        *records = Records::NONE;
         let triangles = triangles.get_mut(..*used_triangles).unwrap_or_default();
         let room = scratch.len().min(MOST_SORTED);
         let Some(scratch) = scratch.get_mut(..triangles.len()).filter(|scratch| scratch.len() <= room) else {
@@ -219,10 +219,11 @@ mod tests {
         let count = triangles.len();
         triangles.resize(count + 3, ListTriangle::EMPTY);
         let mut list = DrawList::<u16, Painter, Spans>::with_traversal(&mut words, &mut triangles);
-        (list.used_triangles, list.shaders) = (count, shaders);
+        (list.contents.used_triangles, list.shaders) = (count, shaders);
         let mut scratch = std::vec![[0xDEAD; 3]; count + 1];
         prop_assert_eq!(list.sort(&mut scratch), Ok(()));
-        let sorted: Vec<[u8; 3]> = list.triangles[..count].iter().map(|triangle| triangle.colour).collect();
+        let sorted: Vec<[u8; 3]> =
+            list.contents.triangles[..count].iter().map(|triangle| triangle.colour).collect();
         let expected: Vec<[u8; 3]> = expected.iter().map(|(_, colour)| *colour).collect();
         prop_assert_eq!(sorted, expected);
         Ok(())

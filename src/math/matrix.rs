@@ -49,6 +49,11 @@ impl Matrix {
         if row < 4 { self.rows[row] } else { [0; 4] }
     }
 
+    /// All mantissas.
+    pub(crate) const fn rows(&self) -> &[[i32; 4]; 4] {
+        &self.rows
+    }
+
     /// The power of two that the elements share: an element is its mantissa times 2 to the minus this.
     pub const fn exponent(&self) -> i32 {
         self.exponent
@@ -56,16 +61,9 @@ impl Matrix {
 
     /// The matrix that does `other` first and then this.
     #[must_use]
+    #[inline(never)]
     pub fn times(&self, other: &Self) -> Self {
-        let [p, q, r, s] = other.rows;
-        let wide = self.rows.map(|row| {
-            [
-                dot(&row, [p[0], q[0], r[0], s[0]]),
-                dot(&row, [p[1], q[1], r[1], s[1]]),
-                dot(&row, [p[2], q[2], r[2], s[2]]),
-                dot(&row, [p[3], q[3], r[3], s[3]]),
-            ]
-        });
+        let wide = self.rows.map(|row| product(&row, &other.rows));
         Self::normalised(wide, self.exponent.saturating_add(other.exponent))
     }
 
@@ -91,10 +89,13 @@ impl Matrix {
     }
 }
 
-/// A row times a column. Mantissas have at most 30 bits and a sign: four products fit.
+/// A row times a matrix. Mantissas have at most 30 bits and a sign: four products fit.
 #[inline(never)]
-fn dot(row: &[i32; 4], column: [i32; 4]) -> i64 {
-    row.iter().zip(column).map(|(&a, b)| product::signed(a, b)).sum()
+fn product(row: &[i32; 4], rows: &[[i32; 4]; 4]) -> [i64; 4] {
+    core::array::from_fn(|column| {
+        let element = |row: &[i32; 4]| row.get(column).copied().unwrap_or_default();
+        row.iter().zip(rows).map(|(&factor, row)| product::signed(factor, element(row))).sum()
+    })
 }
 
 /// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1).
