@@ -142,6 +142,7 @@ mod gradients;
 mod varying;
 mod setup;
 mod raster;
+mod fill;
 mod depth;
 mod hiding;
 mod run;

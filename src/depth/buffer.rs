@@ -5,6 +5,7 @@
 
 use super::Depth;
 use crate::attributes::Words;
+use crate::fill::fill;
 use crate::gradients::Plane;
 use crate::math::format::DepthCode;
 use crate::raster::Tested;
@@ -49,7 +50,7 @@ impl<C: Code> Depth for C {
     }
 
     fn clear(plane: &mut &mut [u16]) {
-        plane.fill(0);
+        fill(plane, 0);
     }
 
     #[inline(always)]

@@ -10,6 +10,7 @@ use super::{DrawList, ListTriangle, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::pipeline::{self, Vertices};
+use crate::pixel::Pixel;
 use crate::raster::Traversal;
 use crate::retained::Records;
 use crate::setup::Setup;
@@ -87,6 +88,7 @@ impl<P: Copy, D: Depth, T: Traversal> DrawList<'_, P, D, T> {
         target: &mut Target,
     ) -> Result<(), Target::Error>
     where
+        P: Pixel,
         Target: DrawTarget,
         Target::Color: PixelColor + From<P>,
     {

@@ -8,6 +8,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 use crate::depth::{Depth, Depth16, DepthFloat, NoDepth, Painter};
+use crate::fill::fill;
 use crate::gradients::Plane;
 use crate::pipeline::{Shading, Surface};
 use crate::pixel::Pixel;
@@ -128,20 +129,28 @@ impl<P: Copy, D: Depth> Strip<'_, P, D> {
         self.height
     }
 
+    /// The background everywhere, infinitely far away.
+    pub fn clear(&mut self)
+    where
+        P: Pixel,
+    {
+        let background = self.background;
+        if let (Some(words), Some(word)) = (P::words(self.colours), background.word()) {
+            fill(words, word);
+        } else {
+            // A loop that may be unrolled, as this run is long.
+            let (fours, rest) = self.colours.as_chunks_mut::<4>();
+            for four in fours {
+                *four = [background; 4];
+            }
+            Run::new(rest).fill(background);
+        }
+        D::clear(&mut self.depths);
+    }
+
     /// The colours, row by row from the top.
     pub fn colours(&self) -> &[P] {
         self.colours
-    }
-
-    /// The background everywhere, infinitely far away.
-    pub fn clear(&mut self) {
-        // A loop that may be unrolled, as this run is long.
-        let (fours, rest) = self.colours.as_chunks_mut::<4>();
-        for [a, b, c, d] in fours {
-            (*a, *b, *c, *d) = (self.background, self.background, self.background, self.background);
-        }
-        Run::new(rest).fill(self.background);
-        D::clear(&mut self.depths);
     }
 
     /// The strip's part of some rows and columns of the frame. Its first row shows row `top` of the frame.
