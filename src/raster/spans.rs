@@ -21,7 +21,7 @@ pub struct Spans;
 impl Traversal for Spans {
     #[inline]
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
-        match Sides::new(setup, window) {
+        match &Sides::new(setup, window) {
             Sides::None => Ok(()),
             Sides::Short(trapezoids) => trapezoids.rows(&window.columns, target),
             Sides::Long(trapezoids) => trapezoids.rows(&window.columns, target),
@@ -36,10 +36,11 @@ pub struct SpansBy<K>(PhantomData<K>);
 impl<K: Kernel> Traversal for SpansBy<K> {
     #[inline]
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
-        match Sides::new(setup, window) {
+        // Borrowed: out of what they are returned in, they would be copied.
+        match &Sides::new(setup, window) {
             Sides::None => Ok(()),
             Sides::Short(trapezoids) => {
-                let sides = kernel::Sides { trapezoids: &trapezoids, columns: &window.columns };
+                let sides = kernel::Sides { trapezoids, columns: &window.columns };
                 if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
             }
             Sides::Long(trapezoids) => trapezoids.rows(&window.columns, target),

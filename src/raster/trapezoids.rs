@@ -40,8 +40,8 @@ impl<S: Edge> Trapezoids<S> {
     }
 
     #[inline(never)]
-    pub(super) fn rows<E>(self, columns: &Range<i32>, target: &mut impl DrawSpan<E>) -> Result<(), E> {
-        let Self { top: mut y, turn, bottom, mut left, mut right, lower, lower_is_right } = self;
+    pub(super) fn rows<E>(&self, columns: &Range<i32>, target: &mut impl DrawSpan<E>) -> Result<(), E> {
+        let &Self { top: mut y, turn, bottom, mut left, mut right, lower, lower_is_right } = self;
         let mut stop = turn;
         loop {
             while y < stop {
