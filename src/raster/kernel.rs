@@ -3,8 +3,10 @@
 //! From here on, stages are one loop over rows and one over pixels. A [`Kernel`] takes the place of both, where it knows the
 //! pixels, the depths and the shader: it may be faster, and nothing else. What it does not know is drawn by the stages.
 
+use core::convert::Infallible;
 use core::ops::Range;
 
+use super::Span;
 use super::edge::ShortEdge;
 use super::trapezoids::Trapezoids;
 use crate::gradients::Plane;
@@ -90,6 +92,18 @@ impl<'r> Rows<'r> {
         let inside =
             columns.start >= 0 && columns.end <= width && colours.len() == cells && depths.len() == tests;
         if inside { Some(Self { trapezoids, width, colours, depths, tested, shade }) } else { None }
+    }
+
+    /// Hands over the covered pixels of each row, from the top down, row 0 first: what the trapezoids say, for a kernel that
+    /// does not read them.
+    #[inline]
+    pub fn spans(&self, mut draw: impl FnMut(Span)) {
+        let top = self.trapezoids.top;
+        let mut draw = |span: Span| {
+            draw(Span { y: span.y - top, ..span });
+            Ok(())
+        };
+        let Ok(()) = self.trapezoids.rows::<Infallible>(&(0..self.width), &mut draw);
     }
 
     /// The sides of all rows.

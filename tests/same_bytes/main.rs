@@ -5,6 +5,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod by_hand;
 mod in_order;
 
 use std::cell::Cell;
@@ -19,10 +20,11 @@ use topleft::stages::{Shader, Traversal};
 use topleft::{
     Affine, Attribute, BoxWalk, BySize, Camera, ColourError, Coord, Cull, Depth, Depth16, DepthFloat,
     Divided, DrawList, Flat, Gouraud, Length, ListTriangle, Material, Mesh, Orthographic, PerPixel,
-    Perspective, Point as Corner, Portable, Pose, ShadedTriangle, Spans, Stats, Strip, Subspans, Sun,
-    Textured, Turn, Within, Wrap,
+    Perspective, Point as Corner, Portable, Pose, ShadedTriangle, Spans, SpansBy, Stats, Strip, Subspans,
+    Sun, Textured, Turn, Within, Wrap,
 };
 
+use by_hand::ByHand;
 use support::counter::StrictDisplay;
 use support::frame::{Frame, Strips, rendered};
 use support::strategies::{MeshData, mesh_data};
@@ -83,7 +85,8 @@ fn any_strips<D: Strips>(what: &str, drawing: &impl Drawing) -> Result<(Frame, u
     let frame = whole::<D, Spans>(drawing);
     let frames = heights::<D, Spans>(what, drawing, &frame)?
         + heights::<D, BoxWalk>(what, drawing, &frame)?
-        + heights::<D, BySize>(what, drawing, &frame)?;
+        + heights::<D, BySize>(what, drawing, &frame)?
+        + heights::<D, SpansBy<ByHand>>(what, drawing, &frame)?;
     Ok((frame, frames))
 }
 
