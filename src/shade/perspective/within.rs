@@ -115,9 +115,9 @@ impl Correction for Within {
         onto: D,
     ) -> D::Output {
         let (texel_box, q) = (TexelBox::new(texels), aligned(inverses));
-        let Some(parts) = self.not_affine(&texel_box, &mut texels, q, sizes_log2) else {
-            return onto.draw(Affine, (), texels);
-        };
+        let parts =
+            self.bend(&texel_box, q).and_then(|bend| bend.not_affine(&texel_box, &mut texels, q, sizes_log2));
+        let Some(parts) = parts else { return onto.draw(Affine, (), texels) };
         let (triangle, varyings) = self.bent(texel_box, parts, q);
         let Bent { texel_box, between } = triangle;
         // What subspans cannot keep, runs need not be asked.
@@ -174,16 +174,10 @@ impl Within {
         (Bent { texel_box, between: self.between(&texel_box) }, over_w)
     }
 
-    /// Where in the box the texels of a triangle are that may not be affine. Nothing where it may: its texels are moved as
-    /// far as that takes.
-    #[inline(never)]
-    fn not_affine(
-        self,
-        texel_box: &TexelBox,
-        texels: &mut [[Attribute; 2]; 3],
-        q: [i32; 3],
-        sizes_log2: [u8; 2],
-    ) -> Option<[[u32; 2]; 3]> {
+    /// How much perspective may bend the texels of a triangle, if that is not more than it can: then it is affine, as most small
+    /// triangles are. In line, since these are told apart by little.
+    #[inline(always)]
+    fn bend(self, texel_box: &TexelBox, q: [i32; 3]) -> Option<Bend> {
         let span_log2 = texel_box.span_log2;
         if self.error >> span_log2 >= 1 << 16 {
             return None;
@@ -196,27 +190,9 @@ impl Within {
         // 8 e / U, of 1/w.
         let eighth = self.affine << 2 >> (span_log2 & 31);
         let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
-        // Most small triangles: no edge has more of either. And those that are level, whatever is allowed.
-        if bend.bears((most - least).unsigned_abs() << 15) || (q[0] == q[1] && q[1] == q[2]) {
-            return None;
-        }
-        let parts = texel_box.parts(*texels);
-        let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
-        let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
-        let edges = |a: i32, b: i32, c: i32| [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
-        let (u, v) = (edges(au, bu, cu), edges(av, bv, cv));
-        // Most others.
-        if bend.bears_all([u, v]) {
-            return None;
-        }
-        let ends = |[d, e, f]: [i32; 3]| [d.max(e).max(f).max(0), d.min(e).min(f).min(0)];
-        let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
-        let [width, height] = sizes_log2;
-        let Some(u) = bend.moved([a[0], b[0], c[0]], ends(u), width) else { return Some(parts) };
-        let Some(v) = bend.moved([a[1], b[1], c[1]], ends(v), height) else { return Some(parts) };
-        let ([au, bu, cu], [av, bv, cv]) = (u, v);
-        *texels = [[au, av], [bu, bv], [cu, cv]].map(|texel| texel.map(Attribute::from_bits));
-        None
+        // No edge has more of either. And those that are level, whatever is allowed.
+        let bears = bend.bears((most - least).unsigned_abs() << 15) || (q[0] == q[1] && q[1] == q[2]);
+        if bears { None } else { Some(bend) }
     }
 
     /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; 2^-16 of U
@@ -241,6 +217,36 @@ struct Bend {
 const ROUNDING: u32 = 3 << 16;
 
 impl Bend {
+    /// Where in the box the texels of a triangle are that may not be affine. Nothing where it may: its texels are moved as
+    /// far as that takes.
+    #[inline(never)]
+    fn not_affine(
+        &self,
+        texel_box: &TexelBox,
+        texels: &mut [[Attribute; 2]; 3],
+        q: [i32; 3],
+        sizes_log2: [u8; 2],
+    ) -> Option<[[u32; 2]; 3]> {
+        let [qa, qb, qc] = q.map(|q| q >> 16);
+        let parts = texel_box.parts(*texels);
+        let [a, b, c] = parts.map(|part| part.map(|part| (part >> 16).cast_signed()));
+        let ([au, av], [bu, bv], [cu, cv]) = (a, b, c);
+        let edges = |a: i32, b: i32, c: i32| [(qa - qb) * (a - b), (qb - qc) * (b - c), (qc - qa) * (c - a)];
+        let (u, v) = (edges(au, bu, cu), edges(av, bv, cv));
+        // Most others.
+        if self.bears_all([u, v]) {
+            return None;
+        }
+        let ends = |[d, e, f]: [i32; 3]| [d.max(e).max(f).max(0), d.min(e).min(f).min(0)];
+        let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
+        let [width, height] = sizes_log2;
+        let Some(u) = self.moved([a[0], b[0], c[0]], ends(u), width) else { return Some(parts) };
+        let Some(v) = self.moved([a[1], b[1], c[1]], ends(v), height) else { return Some(parts) };
+        let ([au, bu, cu], [av, bv, cv]) = (u, v);
+        *texels = [[au, av], [bu, bv], [cu, cv]].map(|texel| texel.map(Attribute::from_bits));
+        None
+    }
+
     /// Whether texels may stay where they are, if no edge is bent by more.
     #[inline(always)]
     fn bears(&self, edge: u32) -> bool {
