@@ -31,7 +31,7 @@ pub(crate) fn fill(cells: &mut [u16], word: u16) {
 mod tests {
     use super::*;
 
-    // Red when cells before the first pair, after the last, or after the last step are left out, or a neighbour is not.
+    // Red when the cell before the first pair, the one after the last, or the pairs after the last eight are left out.
     #[test]
     fn all_cells_are_set_and_no_other() {
         for start in 0..4 {
