@@ -38,6 +38,7 @@ const UNUSED = {
     'perspective-depth': ['light', 'floats'],
     'projected-flat-depth': ['texture', 'light', 'perspective', 'floats', 'vertex stages'],
     demo: ['perspective'],
+    'demo-thumb': ['perspective'],
     methods: ['light', 'floats'],
     everything: [],
 };

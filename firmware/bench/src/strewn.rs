@@ -53,7 +53,7 @@ fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> 
     let size = 8 + vertex / 3 % 7;
     // From 8 px outside on one side to 8 px outside on the other.
     let place = |middle: u32, corner: u32| {
-        let at = (middle & 0xFFFF) * (256 << 8) >> 16;
+        let at = ((middle & 0xFFFF) * (256 << 8)) >> 16;
         Coord::from_bits((at + ((corner & 0xFFFF) >> (16 - size))).cast_signed() - (8 << 8))
     };
     let at = Point::new(place(middle, corner), place(middle >> 16, corner >> 16));

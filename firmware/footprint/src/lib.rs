@@ -7,10 +7,10 @@
 use core::hint::black_box;
 
 use embedded_graphics_core::geometry::Size;
-use topleft::stages::Shader;
+use topleft::stages::{Shader, Traversal};
 use topleft::{
-    Camera, Depth, DrawError, DrawList, Length, ListTriangle, Matrix, MatrixCamera, Mesh, Pose, Strip,
-    Texture,
+    Affine, Camera, Depth, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle, Material, Matrix,
+    MatrixCamera, Mesh, Perspective, Pose, Strip, Sun, Texture, Textured, Turn,
 };
 
 /// Pixels of the panel.
@@ -93,8 +93,8 @@ pub fn draw<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
 ///
 /// # Errors
 /// Those of the list.
-pub fn add<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
-    list: &mut DrawList<'a, u16, D>,
+pub fn add<'a, D: Depth, T: Traversal, C: Camera, S: Shader<'a, u16>>(
+    list: &mut DrawList<'a, u16, D, T>,
     camera: &C,
     shader: &S,
 ) -> Result<(), DrawError> {
@@ -104,15 +104,33 @@ pub fn add<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
 /// The cube, turned. All images that draw a mesh link it once.
 #[inline(never)]
 fn pose() -> Pose {
-    Pose::new().turned_y(black_box(topleft::Turn::from_degrees(30)))
+    Pose::new().turned_y(black_box(Turn::from_degrees(30)))
 }
 
 /// Draws each strip of a list.
-pub fn render<D: Depth>(list: &mut DrawList<'_, u16, D>, strip: &mut Strip<'_, u16, D>) {
+pub fn render<D: Depth, T: Traversal>(list: &mut DrawList<'_, u16, D, T>, strip: &mut Strip<'_, u16, D>) {
     for top in (0..PANEL.height as i32).step_by(usize::from(strip.height())) {
         strip.clear();
         list.render_next(top..top + i32::from(strip.height()), strip);
         black_box(strip.colours());
+    }
+}
+
+/// A scene as people ship it: flat and Gouraud under a sun, and an affine texture, with depth, before a camera in perspective
+/// that is given in floats; in one list.
+pub fn demo<T: Traversal>(memory: &mut Memory) {
+    let Ok(strip) = Strip::new(240, &mut memory.colours) else { return };
+    let Ok(mut strip) = strip.with_depth(&mut memory.depths) else { return };
+    let Some(texture) = texture() else { return };
+    let camera = Perspective::new(PANEL, Turn::from_degrees(45), 1.0..9.0)
+        .look_at(black_box([1.0, 2.0, 4.0]), [0.0; 3]);
+    let sun = Sun::new(black_box([Length::ONE; 3]));
+    let list = &mut DrawList::<_, _, T>::with_traversal(&mut memory.words, &mut memory.triangles);
+    let added = add(list, &camera, &Flat::new(Material::OfMesh).lit_by(&sun)).is_ok()
+        && add(list, &camera, &Gouraud::new(&sun, &Material::OfMesh)).is_ok()
+        && add(list, &camera, &Textured::new(&texture, Affine)).is_ok();
+    if added {
+        render(list, &mut strip);
     }
 }
 

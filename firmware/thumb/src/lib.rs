@@ -61,7 +61,7 @@ impl Kernel for Thumb {
             (Shade::Flat(colour), Tested::Depth16(depth)) => flat::draw_tested(rows, depth, colour),
             (Shade::Gouraud(channels), Tested::Never) => gouraud::draw(rows, &channels),
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
-                gouraud::draw_tested(rows, depth, &channels)
+                gouraud::draw_tested(rows, depth, &channels);
             }
             (Shade::Affine(texture, _), _) if texture.wrap() != Wrap::Repeat => return false,
             (Shade::Affine(texture, texels), Tested::Never) => affine::draw(rows, &texture, &texels),

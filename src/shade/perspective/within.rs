@@ -114,9 +114,10 @@ impl Correction for Within {
         sizes_log2: [u8; 2],
         onto: D,
     ) -> D::Output {
-        let (texel_box, q) = (TexelBox::new(texels), aligned(inverses));
-        let parts =
-            self.bend(&texel_box, q).and_then(|bend| bend.not_affine(&texel_box, &mut texels, q, sizes_log2));
+        let ((texel_box, extent), q) = (TexelBox::with_extent(texels), aligned(inverses));
+        let parts = self
+            .bend(&texel_box, extent, q)
+            .and_then(|bend| bend.not_affine(&texel_box, &mut texels, q, sizes_log2));
         let Some(parts) = parts else { return onto.draw(Affine, (), texels) };
         let (triangle, varyings) = self.bent(texel_box, parts, q);
         let Bent { texel_box, between } = triangle;
@@ -177,7 +178,7 @@ impl Within {
     /// How much perspective may bend the texels of a triangle, if that is not more than it can: then it is affine, as most small
     /// triangles are. In line, since these are told apart by little.
     #[inline(always)]
-    fn bend(self, texel_box: &TexelBox, q: [i32; 3]) -> Option<Bend> {
+    fn bend(self, texel_box: &TexelBox, extent: u32, q: [i32; 3]) -> Option<Bend> {
         let span_log2 = texel_box.span_log2;
         if self.error >> span_log2 >= 1 << 16 {
             return None;
@@ -190,8 +191,8 @@ impl Within {
         // 8 e / U, of 1/w.
         let eighth = self.affine << 2 >> (span_log2 & 31);
         let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
-        // No edge has more of either. And those that are level, whatever is allowed.
-        let bears = bend.bears((most - least).unsigned_abs() << 15) || (q[0] == q[1] && q[1] == q[2]);
+        // No edge has more of either: `not_affine` would not find more. And those that are level, whatever is allowed.
+        let bears = bend.bears((most - least).unsigned_abs() * extent) || (q[0] == q[1] && q[1] == q[2]);
         if bears { None } else { Some(bend) }
     }
 
