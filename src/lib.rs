@@ -57,6 +57,9 @@
 //! changes nothing in the list, so two cores can render different rows of it. Strips that one core renders in order take
 //! fewer cycles by [`DrawList::render_next`].
 //!
+//! A list is made with a traversal: [`Spans`], [`BySize`] for the smallest triangles, or [`SpansBy`] a chip's own
+//! [`Kernel`](stages::Kernel), which draws the same bytes faster.
+//!
 //! # The way of the data
 //!
 //! ```text
@@ -98,8 +101,8 @@
 //! | 3 | accuracy: texels, full-screen triangles, per pixel w 1:64, of 256 | 0.006727 | 0.02641 | texel |
 //! | 3 | accuracy: texels, triangles of all sizes, within 1/4 texel, as allowed | 0.2186 | 0.2543 | texel |
 //! | 3 | accuracy: light, random suns, vertex, lit colour | 0.5272 | 0.5701 | code of 255 |
-//! | 5 | rp2040: grid240, flat, s, 240 | 19.1 | | cycles_per_pixel |
-//! | 5 | rp2040: grid240, perspective-pixel+depth, 3, 240 | 147.9 | | cycles_per_pixel |
+//! | 5 | rp2040: grid240, flat, 3, 240 | 13.5 | | cycles_per_pixel |
+//! | 5 | rp2040: grid240, perspective-pixel+depth, 3, 240 | 146.2 | | cycles_per_pixel |
 //!
 //! # Conventions
 //!

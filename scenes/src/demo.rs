@@ -1,4 +1,4 @@
-//! The scene for a first look: an island on a turning board, a thousand triangles at 30 frames a second on a Cortex-M0+.
+//! The scene for a first look: an island on a turning board, a thousand triangles, meant for 30 frames a second of a Cortex-M0+.
 //!
 //! What it costs is decided here and in the meshes: the size of the board on the screen, the ways of shading, and the
 //! counts in `tools/meshpack/src/make/island/`.
