@@ -29,7 +29,8 @@ pub trait Pixel: Copy {
     /// Channels on their way along a row: `[Attribute; 3]`, or what is stepped faster.
     type Stepped: Stepped<Self>;
 
-    /// The words of cells that are RGB565 words, for a [`Kernel`](crate::stages::Kernel).
+    /// The words of cells that are RGB565 words, one for each, for a [`Kernel`](crate::stages::Kernel). `u16` has them: of its
+    /// own type, a colour has none.
     #[inline(always)]
     fn words(cells: &mut [Self]) -> Option<&mut [u16]> {
         let _ = cells;

@@ -13,7 +13,42 @@ use crate::gradients::Plane;
 use crate::math::format::{Attribute, DepthCode};
 use crate::texture::Texture;
 
-/// A chip's own way to draw small triangles: a type parameter of [`SpansBy`](crate::SpansBy).
+/// A chip's own way to draw small triangles, less than 32 px wide and high and inside of the strip: a type parameter of
+/// [`SpansBy`](crate::SpansBy).
+///
+/// ```
+/// use embedded_graphics_core::geometry::Size;
+/// use topleft::stages::{FlatPixel, Kernel, Rows, Shade, Tested};
+/// use topleft::{Cull, DrawList, ListStorage, NoDepth, ProjectedVertex, SpansBy, Strip, point};
+///
+/// /// Fills rows of one colour.
+/// enum Fill {}
+///
+/// impl Kernel for Fill {
+///     fn draw(rows: Rows<'_>) -> bool {
+///         let (Shade::Flat(colour), Tested::Never) = (rows.shade(), rows.tested()) else { return false };
+///         let (mut spans, mut count) = ([(0, 0); 32], 0);
+///         rows.spans(|span| {
+///             spans[count] = (span.y * 16 + span.start, span.y * 16 + span.end);
+///             count += 1;
+///         });
+///         let (colours, _) = rows.into_cells();
+///         for (start, end) in &spans[..count] {
+///             colours[*start as usize..*end as usize].fill(colour ^ 1); // so that it shows
+///         }
+///         true
+///     }
+/// }
+///
+/// let (mut storage, mut colours) = (ListStorage::<6, 1>::new(), [0; 16 * 16]);
+/// let mut list: DrawList<u16, NoDepth, SpansBy<Fill>> = storage.list_with_traversal();
+/// list.set_cull(Cull::None);
+/// let corners = [(2.0, 2.0), (10.0, 2.0), (2.0, 10.0)].map(|(x, y)| ProjectedVertex::new(point(x, y), ()));
+/// list.draw_projected(Size::new(16, 16), corners, &[[0, 1, 2]], &[[255; 3]], &FlatPixel)?;
+/// list.render(0..16, &mut Strip::new(16, &mut colours)?);
+/// assert_eq!(colours.iter().filter(|&&colour| colour == 0xFFFE).count(), 28);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub trait Kernel {
     /// Draws all rows of a triangle, or none of them: whether it did.
     fn draw(rows: Rows<'_>) -> bool;
@@ -40,30 +75,34 @@ impl Sides<'_> {
     }
 }
 
-/// What decides which pixels are visible.
+/// What decides which pixels are visible. Planes wrap: at a pixel that is covered they are right, and anywhere else only modulo
+/// 2^32.
 #[derive(Clone, Copy, Debug)]
 pub enum Tested {
     /// Nothing: all are.
     Never,
-    /// [`Depth16`](crate::Depth16), by the plane from column 0 of the first row on.
+    /// [`Depth16`](crate::Depth16), by the plane from column 0 of the first row on: a pixel is visible where its whole part is
+    /// greater than the cell, which is set to it then.
     Depth16(Plane<DepthCode>),
 }
 
-/// Where colours come from. Planes start in column 0 of the first row.
+/// Where colours come from. Planes start in column 0 of the first row, and wrap: each value is right at a pixel that is covered,
+/// and anywhere else only modulo 2^32.
 #[derive(Clone, Copy, Debug)]
 pub enum Shade<'a> {
     /// All pixels have one.
     Flat(u16),
     /// Red, green and blue in steps of RGB565, each rounded down.
     Gouraud(Plane<[Attribute; 3]>),
-    /// A texture, and column and row of its texel, each rounded down.
+    /// A texture, and column and row of its texel, each rounded down: [`wrap`](Texture::wrap) says what becomes of those
+    /// beyond it.
     Affine(Texture<'a>, Plane<[Attribute; 2]>),
 }
 
 /// The rows of a triangle, and the cells that they lie in.
 ///
 /// What a kernel may rely on: there are [`width`](Self::width) cells a row, and as many rows as the trapezoids have; in no row
-/// is a side's column below 0, or above the width, and in none are they more than 32 apart.
+/// is a side's column below 0, or above the width, and in none are they more than 32 apart. There are 1 to 32 rows.
 #[derive(Debug)]
 pub struct Rows<'r> {
     trapezoids: &'r Trapezoids<ShortEdge>,

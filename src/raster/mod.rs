@@ -87,7 +87,7 @@ pub trait DrawSpan<E> {
     /// Where it could not be drawn: no other follows.
     fn draw(&mut self, span: Span) -> Result<(), E>;
 
-    /// Has all rows of a triangle drawn by a kernel: whether it knew how to.
+    /// Has all rows of a triangle drawn by a kernel: whether it knew how to. If not, nothing was drawn: the spans follow.
     #[inline(always)]
     fn rows<K: Kernel>(&mut self, sides: Sides<'_>) -> bool
     where

@@ -29,7 +29,7 @@ impl Traversal for Spans {
     }
 }
 
-/// [`Spans`], with small triangles drawn by a chip's own [`Kernel`]: the same bytes, faster.
+/// [`Spans`], with small triangles drawn by a chip's own [`Kernel`], where it has what they need: the same bytes, faster.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpansBy<K>(PhantomData<K>);
 

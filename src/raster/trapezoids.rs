@@ -9,7 +9,19 @@ use crate::snapped::first_centre;
 
 /// A triangle as two trapezoids: the long edge faces the upper short edge first and then the lower one.
 ///
-/// A [`Kernel`](crate::stages::Kernel) in assembly finds its fields where they are: in this order, as in C.
+/// A [`Kernel`](crate::stages::Kernel) in assembly reads it where it lies; one in Rust has
+/// [`Rows::spans`](crate::stages::Rows::spans). Its words, in order, as in C:
+///
+/// | bytes | what |
+/// |---|---|
+/// | 0, 4, 8 | `i32`: the first row, the first of the lower trapezoid, the one after the last |
+/// | 12, 16 | `i32`: the left side in the first row, and its slope: what is added from row to row |
+/// | 20, 24 | the same of the right side |
+/// | 28, 32 | the same of the side that is replaced, in the first row of the lower trapezoid |
+/// | 36 | `bool`, a byte: whether that is the right one |
+///
+/// A side is in steps of 2^-20 px: its whole part is the first column at or right of it. From the left side's column up to, and
+/// without, the right side's the row is covered; where the left one is not less, it is empty.
 #[derive(Debug)]
 #[repr(C)]
 pub struct Trapezoids<S> {
@@ -62,5 +74,23 @@ impl<S: Edge> Trapezoids<S> {
             *(if lower_is_right { &mut right } else { &mut left }) = lower;
             stop = bottom;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::mem::{offset_of, size_of};
+
+    use super::super::edge::{FRACTION_BITS, ShortEdge};
+    use super::*;
+
+    // Red when a field of either is moved, or an edge has other fraction bits: kernels in assembly have these numbers.
+    #[test]
+    fn assembly_finds_the_fields_where_they_were() {
+        type Short = Trapezoids<ShortEdge>;
+        let sides = [offset_of!(Short, left), offset_of!(Short, right), offset_of!(Short, lower)];
+        assert_eq!([offset_of!(Short, top), offset_of!(Short, turn), offset_of!(Short, bottom)], [0, 4, 8]);
+        assert_eq!((sides, offset_of!(Short, lower_is_right)), ([12, 20, 28], 36));
+        assert_eq!((ShortEdge::OFFSETS, size_of::<ShortEdge>(), FRACTION_BITS), ([0, 4], 8, 20));
     }
 }

@@ -197,7 +197,7 @@ pub trait PixelShader<'a, P>: Copy {
     );
 
     /// Where a [`Kernel`](crate::stages::Kernel) gets the colours of some cells from, if there are kernels for such cells and
-    /// colours.
+    /// colours; and the cells as words, one for each, in their order.
     #[inline(always)]
     fn for_kernel<'c>(
         &self,

@@ -232,14 +232,14 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
         shading: &Shading<'a, P, S>,
     ) -> bool {
         let Self { colours, depths, width, origin } = self;
-        // As in `span`.
+        // As in `span`; and what does not fit as a whole is drawn span by span.
         let first = sides.top().wrapping_mul(*width).wrapping_add(*origin) as usize;
         let length = sides.height().wrapping_mul(*width) as usize;
-        let Some((colours, depths)) = D::span(colours, depths, first, length) else { return true };
+        let Some((colours, depths)) = D::span(colours, depths, first, length) else { return false };
         let Some(shaded) = shading.for_kernel(sides.top(), colours) else { return false };
         let depth = depth.starting_in_row(sides.top());
         let Some(tested) = D::for_kernel(depths, depth) else { return false };
-        raster::Rows::new(&sides, *width, shaded, tested).is_none_or(K::draw)
+        raster::Rows::new(&sides, *width, shaded, tested).is_some_and(K::draw)
     }
 }
 

@@ -31,9 +31,19 @@ static COLOURS: [[u8; 3]; TRIANGLES] = {
     colours
 };
 
+/// Those of needles are black but for one corner, which is white.
 const fn channels(vertex: u32) -> [u8; 3] {
+    if needle(vertex).is_some() {
+        return [if vertex % 3 == 1 { 255 } else { 0 }; 3];
+    }
     let bits = hash(vertex);
     [(bits >> 8) as u8, (bits >> 16) as u8, (bits >> 24) as u8]
+}
+
+/// Each eighth triangle is a needle, a tenth of a pixel wide: which of them a vertex is of, counted from the last.
+const fn needle(vertex: u32) -> Option<i32> {
+    let triangle = vertex / 3;
+    if triangle % 8 == 7 { Some((TRIANGLES as u32 / 8 - 1 - triangle / 8).cast_signed()) } else { None }
 }
 
 /// Up to a few hundred texels from a corner, on either side.
@@ -47,16 +57,23 @@ const fn hash(number: u32) -> u32 {
     (bits ^ bits >> 15).wrapping_mul(0x85EB_CA77)
 }
 
-/// Triangle after triangle up to 1, 2, 4 .. 64 px wide and high, and back to 1, at any depths.
+/// Triangle after triangle up to 1, 2, 4 .. 64 px wide and high, and back to 1, at any depths; and needles, of which one shows by a
+/// step of green whether channels are known at column 0.
 fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> {
-    let (middle, corner) = (hash(vertex / 3 + 10_000), hash(vertex));
-    let size = 8 + vertex / 3 % 7;
-    // From 8 px outside on one side to 8 px outside on the other.
-    let place = |middle: u32, corner: u32| {
-        let at = ((middle & 0xFFFF) * (256 << 8)) >> 16;
-        Coord::from_bits((at + ((corner & 0xFFFF) >> (16 - size))).cast_signed() - (8 << 8))
+    let at = if let Some(needle) = needle(vertex) {
+        let [x, y] = [[0, 0], [25, 0], [12, 4096]][vertex as usize % 3];
+        let (x, y) = (51_316 + x - 256 * 5 * needle, 2_560 + y + 256 * 5 * needle);
+        Point::new(Coord::from_bits(x), Coord::from_bits(y))
+    } else {
+        let (middle, corner) = (hash(vertex / 3 + 10_000), hash(vertex));
+        let size = 8 + vertex / 3 % 7;
+        // From 8 px outside on one side to 8 px outside on the other.
+        let place = |middle: u32, corner: u32| {
+            let at = ((middle & 0xFFFF) * (256 << 8)) >> 16;
+            Coord::from_bits((at + ((corner & 0xFFFF) >> (16 - size))).cast_signed() - (8 << 8))
+        };
+        Point::new(place(middle, corner), place(middle >> 16, corner >> 16))
     };
-    let at = Point::new(place(middle, corner), place(middle >> 16, corner >> 16));
     let depth = DepthCode::from_bits(hash(vertex + 20_000));
     ProjectedVertex::new(at, attributes(vertex)).with_depth(depth)
 }

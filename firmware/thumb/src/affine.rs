@@ -54,7 +54,7 @@ pub(crate) fn draw(rows: Rows<'_>, texture: &Texture<'_>, texels: &Texels) {
     let Walk { trapezoids, row, stride, .. } = Walk::new(rows);
     let frame = Frame::new(texture, texels, 0, [0; 3]);
     // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells; the mask keeps texels in the texture,
-    // which has a power of two of them.
+    // which has a power of two of them, 2^10 a side at most.
     unsafe { affine(trapezoids, row, stride, &frame) };
 }
 
@@ -63,7 +63,7 @@ pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, texture: &Tex
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
     let depth = [depth.start, depth.dx, depth.dy].map(DepthCode::to_bits);
     let frame = Frame::new(texture, texels, to_depth, depth);
-    // SAFETY: as above.
+    // SAFETY: as above; each cell has its depth as far from it as the first has.
     unsafe { affine_tested(trapezoids, row, stride, &frame) };
 }
 

@@ -120,7 +120,7 @@ pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, colour: u16) 
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
     let [depth, depth_dx, depth_dy] = [depth.start, depth.dx, depth.dy].map(DepthCode::to_bits);
     let frame = Tested { depth_dy, depth, depth_dx, colour: colour.into(), to_depth };
-    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells.
+    // SAFETY: as above; each cell has its depth as far from it as the first has.
     unsafe { flat_tested(trapezoids, row, stride, &frame) };
 }
 

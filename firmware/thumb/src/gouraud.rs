@@ -31,6 +31,21 @@ impl Frame {
     }
 }
 
+/// Whether planes fit their 64 bits at column 0, as they do at the pixels that are covered.
+///
+/// Red may wrap there, being on top. Blue and green are known modulo 2^32: they are what they are if from there to any pixel,
+/// 32 rows and 2047 columns at most, they change by less than 2^30 + 2^23, as at pixels they are from 0 to 2^22.
+#[inline(always)]
+pub(crate) fn suits(channels: &Channels, width: usize) -> bool {
+    let columns = if width < 2047 { width as u32 } else { 2047 };
+    let changes = |dx: Attribute, dy: Attribute| {
+        let [dx, dy] = [dx, dy].map(|step| step.to_bits().unsigned_abs() >> 12);
+        dx * columns + dy * 32
+    };
+    let ([_, g_dx, b_dx], [_, g_dy, b_dy]) = (channels.dx, channels.dy);
+    changes(g_dx, g_dy) < 1 << 18 && changes(b_dx, b_dy) < 1 << 18
+}
+
 #[inline(always)]
 pub(crate) fn draw(rows: Rows<'_>, channels: &Channels) {
     let Walk { trapezoids, row, stride, .. } = Walk::new(rows);
@@ -44,7 +59,7 @@ pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, channels: &Ch
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
     let [depth, depth_dx, depth_dy] = [depth.start, depth.dx, depth.dy].map(DepthCode::to_bits);
     let frame = Frame::new(channels, to_depth, depth, depth_dx, depth_dy);
-    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells.
+    // SAFETY: as above; each cell has its depth as far from it as the first has.
     unsafe { gouraud_tested(trapezoids, row, stride, &frame) };
 }
 

@@ -1,9 +1,13 @@
-//! topleft's small triangles in Thumb instructions: the same bytes, faster.
+//! topleft's small triangles in the Thumb instructions of a Cortex-M: the same bytes, faster.
 //!
 //! A Cortex-M0+ has eight registers that all of its instructions reach, and a compiler keeps a row of pixels in no fewer than
-//! ten. So rows are written by hand here, for what most scenes are made of: flat, Gouraud and affine triangles up to 32 px
-//! wide and high, of RGB565 words, without depth or with [`Depth16`](topleft::Depth16). All else is drawn by the library
-//! itself, as it is on chips without Thumb instructions.
+//! ten. So rows are written by hand here, for what most scenes are made of: flat, Gouraud and affine triangles less than 32 px
+//! wide and high, in strips of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
+//!
+//! All else is drawn by the library itself: textures that end ([`Wrap::Clamp`](topleft::Wrap)), are in perspective or under
+//! light; triangles that reach over the left or right edge of the strip, or change by more than all of a channel in a pixel;
+//! and all of them on chips without these instructions. Gouraud without depth gains on cores only that have no products of 64
+//! bits, such as a Cortex-M0+.
 //!
 //! It is a traversal, which a list is made with:
 //!
@@ -59,6 +63,9 @@ impl Kernel for Thumb {
         match (rows.shade(), rows.tested()) {
             (Shade::Flat(colour), Tested::Never) => flat::draw(rows, colour),
             (Shade::Flat(colour), Tested::Depth16(depth)) => flat::draw_tested(rows, depth, colour),
+            // Where products of 64 bits are instructions, the library's own rows are no slower without depth.
+            (Shade::Gouraud(_), Tested::Never) if cfg!(not(narrow)) => return false,
+            (Shade::Gouraud(channels), _) if !gouraud::suits(&channels, rows.width()) => return false,
             (Shade::Gouraud(channels), Tested::Never) => gouraud::draw(rows, &channels),
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
                 gouraud::draw_tested(rows, depth, &channels);

@@ -6,6 +6,8 @@ mod dda;
 mod short;
 
 pub(super) use dda::Dda;
+#[cfg(test)]
+pub(super) use short::FRACTION_BITS;
 pub use short::ShortEdge;
 
 /// An edge at the centres of one row.

@@ -24,7 +24,8 @@ pub struct ShortEdge {
     slope: i32,
 }
 
-const FRACTION_BITS: u32 = 20;
+/// Kernels in assembly have this number as well.
+pub(in crate::raster) const FRACTION_BITS: u32 = 20;
 /// The slope of a lower edge may not fit.
 const LOWEST: i32 = 4;
 /// Columns that have room.
@@ -92,6 +93,13 @@ impl Edge for ShortEdge {
     fn step(&mut self) {
         self.place = self.place.wrapping_add(self.slope);
     }
+}
+
+#[cfg(test)]
+impl ShortEdge {
+    /// Of the place and the slope, in bytes.
+    pub(in crate::raster) const OFFSETS: [usize; 2] =
+        [core::mem::offset_of!(Self, place), core::mem::offset_of!(Self, slope)];
 }
 
 #[cfg(test)]
