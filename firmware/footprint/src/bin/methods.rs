@@ -1,5 +1,5 @@
-//! What the table of methods draws, one after the other: flat and an affine texture without depth; flat, Gouraud, and a
-//! texture with a reciprocal a pixel with depth.
+//! One after the other: flat and an affine texture without depth; flat, Gouraud, and a texture with a reciprocal a pixel with
+//! depth.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use footprint::{EYE, FRONT, Memory};
