@@ -43,7 +43,7 @@ const fn channels(vertex: u32) -> [u8; 3] {
 /// Each eighth triangle is a needle, a tenth of a pixel wide: which of them a vertex is of, counted from the last.
 const fn needle(vertex: u32) -> Option<i32> {
     let triangle = vertex / 3;
-    if triangle % 8 == 7 { Some((TRIANGLES as u32 / 8 - 1 - triangle / 8).cast_signed()) } else { None }
+    if triangle % 8 == 7 { Some(TRIANGLES as i32 / 8 - 1 - (triangle / 8).cast_signed()) } else { None }
 }
 
 /// Up to a few hundred texels from a corner, on either side.
