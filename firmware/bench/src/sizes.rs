@@ -56,15 +56,18 @@ pub(crate) const fn uvs(positions: &[[i16; 3]; VERTICES]) -> [[i16; 2]; VERTICES
     uvs
 }
 
-static FACES: [[u16; 3]; ROW * ROW] = {
-    let mut faces = [[0; 3]; ROW * ROW];
+/// Triangles that share no vertex.
+pub(crate) const fn faces<const COUNT: usize>() -> [[u16; 3]; COUNT] {
+    let mut faces = [[0; 3]; COUNT];
     let mut i = 0;
-    while i < faces.len() {
+    while i < COUNT {
         faces[i] = [3 * i as u16, 3 * i as u16 + 1, 3 * i as u16 + 2];
         i += 1;
     }
     faces
-};
+}
+
+static FACES: [[u16; 3]; ROW * ROW] = faces();
 
 static COLOURS: [[u8; 3]; VERTICES] = {
     let mut colours = [[0; 3]; VERTICES];

@@ -8,18 +8,11 @@ use topleft::{
 };
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
+use crate::sizes::faces;
 
 const TRIANGLES: usize = 300;
 
-static FACES: [[u16; 3]; TRIANGLES] = {
-    let mut faces = [[0; 3]; TRIANGLES];
-    let mut i = 0;
-    while i < TRIANGLES {
-        faces[i] = [3 * i as u16, 3 * i as u16 + 1, 3 * i as u16 + 2];
-        i += 1;
-    }
-    faces
-};
+static FACES: [[u16; 3]; TRIANGLES] = faces();
 
 static COLOURS: [[u8; 3]; TRIANGLES] = {
     let mut colours = [[0; 3]; TRIANGLES];

@@ -175,8 +175,8 @@ impl Within {
         (Bent { texel_box, between: self.between(&texel_box) }, over_w)
     }
 
-    /// How much perspective may bend the texels of a triangle, if that is not more than it can: then it is affine, as most small
-    /// triangles are. In line, since these are told apart by little.
+    /// How much perspective may bend the texels of a triangle. Nothing where it cannot bend them as much: the triangle is affine
+    /// then, as most small ones are. In line, since these are told apart by little.
     #[inline(always)]
     fn bend(self, texel_box: &TexelBox, extent: u32, q: [i32; 3]) -> Option<Bend> {
         let span_log2 = texel_box.span_log2;
