@@ -7,6 +7,7 @@
 use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS};
 use crate::snapped::Snapped;
 
+mod rough;
 mod small;
 mod wide;
 
@@ -87,6 +88,23 @@ impl Gradients {
             Area::Small(area) => self.through(a, area.gradients([a, b, c])),
             Area::Any(area) => self.through(a, |axis| area.gradient(axis, &[a, b, c])),
         }
+    }
+
+    /// The planes through the channels of three colours, from 0 to 2^24, in canonical order.
+    #[inline(never)]
+    pub(crate) fn channels(&self, colours: &[[i32; 3]; 3]) -> Plane<[i32; 3]> {
+        let [[ar, ag, ab], [br, bg, bb], [cr, cg, cb]] = *colours;
+        let rough = match &self.area {
+            Area::Small(area) => area.rough(),
+            Area::Any(_) => None,
+        };
+        let (r, g, b) = if let Some(rough) = rough {
+            let plane = |a: i32, b: i32, c: i32| self.through(a, rough.gradients([a, b, c]));
+            (plane(ar, br, cr), plane(ag, bg, cg), plane(ab, bb, cb))
+        } else {
+            (self.plane(ar, br, cr), self.plane(ag, bg, cg), self.plane(ab, bb, cb))
+        };
+        Plane { start: [r.start, g.start, b.start], dx: [r.dx, g.dx, b.dx], dy: [r.dy, g.dy, b.dy] }
     }
 
     /// The plane of a value at the first vertex and its gradient along each axis.

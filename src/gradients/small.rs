@@ -1,5 +1,6 @@
 //! Gradients of triangles of some pixels: less than 32 px high and wide.
 
+use super::rough::Rough;
 use super::{Axis, Gradient};
 use crate::math::recip;
 
@@ -47,6 +48,13 @@ impl Area {
             let numerator = |(d1, d2): (i32, i32)| d1 * axis.second - d2 * axis.first;
             self.quotient(numerator(high), numerator(low))
         }
+    }
+
+    /// Its leading bits, for values of few. Nothing where it is less than two square pixels.
+    #[inline(always)]
+    pub(super) fn rough(&self) -> Option<Rough> {
+        // 1 / area2 = high 2^-(shift + 8).
+        Rough::new(self.high, self.shift)
     }
 
     /// `2^16 high + low`, over the area.

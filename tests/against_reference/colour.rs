@@ -8,7 +8,7 @@ use topleft::{ColourError, Gouraud, Material, Pixel};
 use crate::measured::{Errors, Row, hold};
 use crate::probe::{Covered, range, sampled};
 use crate::random::{Kind, Random};
-use crate::tolerance::{MIDDLE, REACHED, interpolation, shown};
+use crate::tolerance::{MIDDLE, REACHED, channel, shown};
 
 /// What is allowed, in codes: less than nothing, nothing, what a step of a half has no room for, and more than there is.
 pub(crate) const ALLOWED: [&str; 8] = ["-3", "0", "0.75", "1", "2", "4", "8", "32767"];
@@ -82,7 +82,7 @@ fn errors<P: Pixel>(allowed: &str) -> Errors {
                     let bound = if one {
                         codes + shown(max, MIDDLE)
                     } else {
-                        shown(max, interpolation(16, covered.steps(x, span.y), steps))
+                        shown(max, channel(covered.steps(x, span.y), steps))
                     };
                     errors.add(ours - exact, bound, || {
                         format!("{allowed}: {:?} {vertices:?}: {ours} for {exact}", covered.triangle)

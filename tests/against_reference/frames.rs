@@ -15,7 +15,7 @@ use topleft::{
 use crate::measured::{Errors, Row, hold};
 use crate::patches::{Frame, Patch};
 use crate::probe::{Probe, Seen, UNSEEN, outside};
-use crate::tolerance::{LIGHT_STEPS, LIT, half, interpolation};
+use crate::tolerance::{LIGHT_STEPS, LIT, channel, half};
 
 /// Steps from a pixel's centre to the nearest edge of a triangle.
 fn to_edge(triangle: Triangle, x: i64, y: i64) -> f64 {
@@ -103,8 +103,9 @@ fn shown(
                     .into_iter()
                     .sum(),
             };
-            let off =
-                allowed + colour + LIT + 255.0 * interpolation(16, patch.steps(at[0], at[1]), 1.0) + half(7);
+            // In codes: of red or blue, whose steps are the greater.
+            let carried = channel(patch.steps(at[0], at[1]), 31.0) * 255.0 / 31.0;
+            let off = allowed + colour + LIT + carried + half(7);
             let (off, apart) = (HALF_STEP.map(|step| step + off), apart(from_rgb565(ours), exact));
             Some(Shown { right: (0..3).all(|k| apart[k] <= off[k]), off })
         }

@@ -33,6 +33,13 @@ pub(crate) fn shown(max: f64, steps: f64) -> f64 {
     (0.5 + 255.0 * half(16) + steps) * 255.0 / max
 }
 
+/// The same before it is shown, where it is interpolated `steps` pixels from the anchor over vertices that differ by `range` of
+/// the display's steps: each difference of two vertices is rounded down to 2^-8, the reciprocal is right to 2^-15, and gradients
+/// to a step of 2^-16, the start as well.
+pub(crate) fn channel(steps: u64, range: f64) -> f64 {
+    half(8) + range * half(15) + (steps + 1) as f64 * half(16)
+}
+
 /// The middle of two channels, rounded down: in steps of the display's.
 pub(crate) const MIDDLE: f64 = half(17);
 
@@ -189,7 +196,7 @@ pub(crate) const DERIVED: [(&str, &str, &str); 23] = [
     (
         "colour",
         "shown",
-        "`shown` of `interpolation`; what is allowed and `shown` of `MIDDLE`, where it is one colour",
+        "`shown` of `channel`; what is allowed and `shown` of `MIDDLE`, where it is one colour",
     ),
     ("camera", "value", "`SINE`, and half a step of 2^-16 in 32767 for how it is read"),
     (
@@ -211,7 +218,7 @@ pub(crate) const DERIVED: [(&str, &str, &str); 23] = [
     (
         "frames",
         "colour",
-        "the furthest of the colours that the bounds of texel and light allow, or `LIT` and `interpolation`; rounded to RGB565",
+        "the furthest of the colours that the bounds of texel and light allow, or `LIT` and `channel`; rounded to RGB565",
     ),
     ("frames", "colour of one", "what is allowed more than for a colour that is interpolated"),
     (

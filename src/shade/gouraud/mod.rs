@@ -12,13 +12,16 @@ use crate::raster::Shade;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
+mod channels;
 mod within;
 
+use channels::Channels;
 pub use within::{ColourError, GouraudWithin};
 
 /// A colour a vertex, interpolated over the face: lit by the vertices' normals, or the mesh's own colours as they are.
 ///
-/// Colours are interpolated in steps of the display's own channels, with 16 fraction bits, and rounded to nearest.
+/// Colours are interpolated in steps of the display's own channels, with 16 fraction bits, and rounded to nearest. Before
+/// that they are off by less than 2^-6 of a step.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb888;
@@ -76,8 +79,7 @@ pub struct GouraudPixel;
 
 impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     type Vertex = [u8; 3];
-    /// Red, green and blue in steps of the pixel's channels, and a half for rounding.
-    type Varying = [Attribute; 3];
+    type Varying = Channels;
     type Triangle = ();
     const PERSPECTIVE: bool = false;
 
@@ -91,18 +93,19 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     }
 
     #[inline]
-    fn triangle(
-        &self,
-        _: [u8; 3],
-        vertices: [[u8; 3]; 3],
-        _: [PerVertexInverse; 3],
-    ) -> ((), [[Attribute; 3]; 3]) {
+    fn triangle(&self, _: [u8; 3], vertices: [[u8; 3]; 3], _: [PerVertexInverse; 3]) -> ((), [Channels; 3]) {
         let [a, b, c] = vertices;
         ((), [in_steps::<P>(a), in_steps::<P>(b), in_steps::<P>(c)])
     }
 
     #[inline(always)]
-    fn shade<D: Depth>(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: Run<'_, P, D>) {
+    fn shade<D: Depth>(
+        &self,
+        (): &(),
+        Channels(start): Channels,
+        Channels(step): &Channels,
+        run: Run<'_, P, D>,
+    ) {
         let (mut colour, step) = (P::Stepped::new(start), P::Stepped::new(*step));
         for pixel in run.pixels() {
             pixel.shade(|| colour.colour());
@@ -114,20 +117,21 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     fn for_kernel<'c>(
         &self,
         (): &(),
-        channels: Plane<[Attribute; 3]>,
+        channels: Plane<Channels>,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
-        Some((P::words(colours)?, Shade::Gouraud(channels)))
+        let Plane { start: Channels(start), dx: Channels(dx), dy: Channels(dy) } = channels;
+        Some((P::words(colours)?, Shade::Gouraud(Plane { start, dx, dy })))
     }
 }
 
 /// A colour of 0 to 255 in steps of the pixel's channels, and a half, so that dropping the fraction rounds to nearest.
 #[inline]
-fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> [Attribute; 3] {
+fn in_steps<P: Pixel>([r, g, b]: [u8; 3]) -> Channels {
     let [max_r, max_g, max_b] = P::MAX;
     let channel = |c: u8, max: u8| {
         let per_code = (i32::from(max) << 16) / 255;
         Attribute::from_bits(i32::from(c) * per_code + (1 << 15))
     };
-    [channel(r, max_r), channel(g, max_g), channel(b, max_b)]
+    Channels([channel(r, max_r), channel(g, max_g), channel(b, max_b)])
 }

@@ -1,6 +1,6 @@
 //! Triangles of nearly one colour in one.
 
-use super::{Gouraud, GouraudPixel, in_steps};
+use super::{Channels, Gouraud, GouraudPixel, in_steps};
 use crate::depth::Depth;
 use crate::math::format::Attribute;
 use crate::mesh::Mesh;
@@ -113,7 +113,7 @@ pub struct GouraudWithinPixel {
 
 impl<'a, P: Pixel> PixelShader<'a, P> for GouraudWithinPixel {
     type Vertex = [u8; 3];
-    type Varying = [Attribute; 3];
+    type Varying = Channels;
     type Triangle = ();
     const PERSPECTIVE: bool = false;
 
@@ -133,7 +133,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudWithinPixel {
         colour: [u8; 3],
         vertices: [[u8; 3]; 3],
         inverses: [PerVertexInverse; 3],
-    ) -> ((), [[Attribute; 3]; 3]) {
+    ) -> ((), [Channels; 3]) {
         PixelShader::<P>::triangle(&GouraudPixel, colour, vertices, inverses)
     }
 
@@ -152,7 +152,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudWithinPixel {
     }
 
     #[inline(always)]
-    fn shade<D: Depth>(&self, (): &(), start: [Attribute; 3], step: &[Attribute; 3], run: Run<'_, P, D>) {
+    fn shade<D: Depth>(&self, (): &(), start: Channels, step: &Channels, run: Run<'_, P, D>) {
         GouraudPixel.shade(&(), start, step, run);
     }
 }
@@ -169,7 +169,7 @@ fn one_colour<P: Pixel>(spread: u8, [a, b, c]: [[u8; 3]; 3]) -> Option<P> {
         (ends(ar, br, cr)?, ends(ag, bg, cg)?, ends(ab, bb, cb)?);
     let least = in_steps::<P>([least_r, least_g, least_b]);
     let most = in_steps::<P>([most_r, most_g, most_b]);
-    let ([least_r, least_g, least_b], [most_r, most_g, most_b]) = (least, most);
+    let (Channels([least_r, least_g, least_b]), Channels([most_r, most_g, most_b])) = (least, most);
     let middle = |a: Attribute, b: Attribute| Attribute::from_bits((a.to_bits() + b.to_bits()) >> 1);
     let middles = [middle(least_r, most_r), middle(least_g, most_g), middle(least_b, most_b)];
     Some(P::Stepped::new(middles).colour())
