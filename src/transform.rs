@@ -292,8 +292,8 @@ impl Projection {
         let down = 62 - SUBPIXEL_BITS - self.reach_log2 - inverse.shift;
         let snap = |c: Clip| {
             // A half is rounded up: down in size, where c is negative.
-            let size = product::unsigned(c.unsigned_abs(), inverse.mantissa) - u64::from(c < 0);
-            let rounded = product::down(size, down - 1).div_ceil(2).cast_signed();
+            let size = product::unsigned_down(c.unsigned_abs(), inverse.mantissa, (c < 0).into(), down - 1);
+            let rounded = size.div_ceil(2).cast_signed();
             if c < 0 { rounded.wrapping_neg() } else { rounded }
         };
         // A vertex that was clipped to the guard rectangle can round to just outside of it; and a camera that claims to

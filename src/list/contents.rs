@@ -142,15 +142,25 @@ impl<'a> Contents<'a> {
         faces: &mut Faces<'_>,
         left_out: &mut LeftOut,
     ) -> Option<([u16; 3], Outcode)> {
-        for &corners in faces.corners.by_ref() {
-            match self.face(placed, faces.face, faces.first, corners) {
+        let Faces { first, corners, face } = faces;
+        let before = self.used_triangles;
+        let mut crossing = None;
+        // Counted here: in its place, each number would be written for each face.
+        let mut at = *face;
+        for &corners in corners.by_ref() {
+            match self.face(placed, at, *first, corners) {
                 Added::Done => {}
                 Added::Full => left_out.triangles += 1,
-                Added::Crossing(planes) => return Some((corners, planes)),
+                Added::Crossing(planes) => {
+                    crossing = Some((corners, planes));
+                    break;
+                }
             }
-            faces.face += 1;
+            at += 1;
         }
-        None
+        *face = at;
+        self.stats.drawn += self.used_triangles - before;
+        crossing
     }
 
     /// Adds a triangle of three vertices, counted from the `first`, unless it is outside, culled, or touches no pixel
@@ -195,7 +205,6 @@ impl<'a> Contents<'a> {
             rows: [top, bottom],
         };
         self.used_triangles += 1;
-        self.stats.drawn += 1;
         Added::Done
     }
 

@@ -29,6 +29,16 @@ pub(crate) fn scaled(a: u32, b: u32, rounding: u32) -> u32 {
     }
 }
 
+/// `(a * b - less) >> by`, of products that are at least `less`, which is 0 or 1, and below 2^63: for a `by` below 64.
+#[inline(always)]
+pub(crate) fn unsigned_down(a: u32, b: u32, less: u32, by: u32) -> u32 {
+    if NARROW && by >= 32 {
+        high_by_halves(a, b, less, by & 31).unwrap_or_else(|| whole_down(a, b, less, by))
+    } else {
+        down(unsigned(a, b) - u64::from(less), by)
+    }
+}
+
 /// The low half of `x >> by`, for a `by` below 64.
 #[inline(always)]
 pub(crate) fn down(x: u64, by: u32) -> u32 {
@@ -45,6 +55,22 @@ pub(crate) fn up(x: u64, by: u32) -> u64 {
 const fn scaled_by_halves(a: u32, b: u32, rounding: u32) -> u32 {
     // Both are less than 2^32.
     ((a >> 16) * b).wrapping_add(((a & 0xFFFF) * b + rounding) >> 16)
+}
+
+#[inline(never)]
+fn whole_down(a: u32, b: u32, less: u32, by: u32) -> u32 {
+    down(unsigned(a, b) - u64::from(less), by)
+}
+
+/// `(a * b - less) >> (32 + by)`, if it does not depend on the product of the low halves: as most do not, where `by` is some
+/// bits.
+#[inline(always)]
+const fn high_by_halves(a: u32, b: u32, less: u32, by: u32) -> Option<u32> {
+    let (a_low, a_high, b_low, b_high) = (a & 0xFFFF, a >> 16, b & 0xFFFF, b >> 16);
+    // Three parts were rounded down: two whole ones may be missing.
+    let high = a_high * b_high + ((a_high * b_low) >> 16) + ((a_low * b_high) >> 16);
+    let (least, most) = (high.wrapping_sub(less) >> by, (high + 2) >> by);
+    if least == most { Some(least) } else { None }
 }
 
 #[inline(always)]
@@ -80,7 +106,7 @@ fn signed_by_halves(a: i32, b: i32) -> i64 {
 mod tests {
     use super::*;
 
-    // Red when a carry between the halves is lost.
+    // Red when a carry between the halves is lost, or a product is told from its high halves to which one more is missing.
     #[test]
     fn halves_make_the_whole_product() {
         let ends =
@@ -91,6 +117,7 @@ mod tests {
             state ^ state >> 16
         };
         let pairs = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));
+        let mut told = 0;
         for (a, b) in pairs.chain((0..100_000).map(|_| (random(), random()))) {
             assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a:#x} {b:#x}");
             for short in [b & 0xFFFF, 1 << 16] {
@@ -99,9 +126,23 @@ mod tests {
                     assert_eq!(scaled_by_halves(a, short, rounding), exact as u32, "{a:#x} {short:#x}");
                 }
             }
+            let (half, other) = (a >> 1, b >> 1);
+            for (less, by) in (0..=1).flat_map(|less| [0, 1, 9, 31].map(|by| (less, by))) {
+                let product = u64::from(half) * u64::from(other);
+                if product < u64::from(less) {
+                    continue;
+                }
+                let exact = ((product - u64::from(less)) >> (32 + by)) as u32;
+                if let Some(high) = high_by_halves(half, other, less, by) {
+                    assert_eq!(high, exact, "{half:#x} {other:#x} {less} {by}");
+                    told += 1;
+                }
+                assert_eq!(unsigned_down(half, other, less, 32 + by), exact);
+            }
             let (a, b) = (a.cast_signed(), b.cast_signed());
             assert_eq!(signed(a, b), i64::from(a) * i64::from(b), "{a:#x} {b:#x}");
         }
+        assert!(told > 300_000, "{told}");
     }
 
     // Red when a bit is lost between the words, or at the ends of a shift's range.
