@@ -3,14 +3,18 @@
 // Usage: node panel.js [--landscape] IMAGE FOLDER SCENES FRAMES
 //
 // The folder gets NUMBER-FRAME.rgb565 of each, 240x240 words with the low byte first, or 320x240 of a panel that lies on
-// its side; frames.csv: the cycles from the first row of a frame to the first row of the next one; and ram.csv: bytes of
-// strips, depths, list, tables, other statics and the stack, and all together.
+// its side; frames.csv: the cycles from the start of a frame to the start of the next one; and ram.csv: bytes of strips,
+// depths, list, tables, other statics and the stack, and all together.
+//
+// A frame starts where the image changes the level of the Pico's light.
 //
 // Exit status: 0, or 1 where the image does what a board would not.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { GPIOPinState } from 'rp2040js';
 import { attach } from './bus.js';
 import { readElf } from './elf.js';
+import { Frames } from './frames.js';
 import { Machine } from './machine.js';
 import { Ram } from './ram.js';
 import { St7789 } from './st7789.js';
@@ -19,6 +23,9 @@ const HEIGHT = 240;
 const DATA_COMMAND = 8;
 const RESET = 12;
 const BUTTON = 15;
+const LED = 25;
+/** Levels of a pin that is no input. */
+const DRIVEN = [GPIOPinState.Low, GPIOPinState.High];
 
 const words = process.argv.slice(2);
 const landscape = words[0] === '--landscape';
@@ -45,35 +52,28 @@ function run() {
     button.setInputValue(true);
 
     const ram = new Ram(machine, elf);
-    const rows = ['number,frame,cycles'];
-    let [number, frame, started] = [0, -1, 0];
-    const panel = new St7789({
-        write: ([first]) => {
-            if (first === 0) {
-                next();
-            }
-        },
+    const panel = new St7789();
+    const shown = new Frames(Number(scenes), Number(frames), (scene, frame) => {
+        writeFileSync(`${folder}/${scene}-${frame}.rgb565`, panel.picture(width, HEIGHT, landscape));
     });
-    /** A frame starts: the one before it is done. */
-    function next() {
-        const { cycles } = rp2040.core;
-        if (frame >= 0) {
-            writeFileSync(`${folder}/${number}-${frame}.rgb565`, panel.picture(width, HEIGHT, landscape));
-            rows.push(`${number},${frame},${cycles - started}`);
+    rp2040.gpio[LED].addListener((level, before) => {
+        if (DRIVEN.includes(level) && DRIVEN.includes(before)) {
+            shown.start(rp2040.core.cycles);
+            // The image looks at the button once a frame, at its end.
+            button.setInputValue(!shown.isLast);
         }
-        started = cycles;
-        frame++;
-        if (frame === Number(frames)) {
-            [number, frame] = [number + 1, 0];
-            machine.status = number === Number(scenes) ? 0 : undefined;
+    });
+    attach(rp2040, rp2040.spi[1], (byte) => {
+        const isData = pin.outputValue;
+        if (!isData) {
+            shown.command();
+            machine.status = shown.areOver ? 0 : undefined;
         }
-        // The image looks at the button once a frame, at its end.
-        button.setInputValue(frame !== Number(frames) - 1);
-    }
-    attach(rp2040, rp2040.spi[1], (byte) => panel.byte(byte, pin.outputValue));
+        panel.byte(byte, isData);
+    });
     rp2040.gpio[RESET].addListener((state) => state === 0 && panel.reset());
 
     machine.runOnTime();
     writeFileSync(`${folder}/ram.csv`, `${ram.row()}\n`);
-    writeFileSync(`${folder}/frames.csv`, `${rows.join('\n')}\n`);
+    writeFileSync(`${folder}/frames.csv`, `${['number,frame,cycles', ...shown.rows].join('\n')}\n`);
 }

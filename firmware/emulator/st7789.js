@@ -13,9 +13,7 @@ const MADCTL = { MY: 0x80, MX: 0x40, MV: 0x20, BGR: 0x08 };
 const FORMATS = { 3: { bytes: 3, pixels: 2 }, 5: { bytes: 2, pixels: 1 }, 6: { bytes: 3, pixels: 1 } };
 
 export class St7789 {
-    /** `write` is called before the first pixel of each RAMWR, with the window's first and last row. */
-    constructor({ write = () => {} } = {}) {
-        this.write = write;
+    constructor() {
         /** Red, green and blue of 6 bits each. */
         this.memory = new Uint8Array(WIDTH * HEIGHT * 3);
         this.reset();
@@ -63,7 +61,6 @@ export class St7789 {
                 break;
             case COMMAND.RAMWR:
                 this.at = [this.columns[0], this.rows[0]];
-                this.write(this.rows);
                 break;
             case COMMAND.RAMWRC:
                 this.at ??= [this.columns[0], this.rows[0]];

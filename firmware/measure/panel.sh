@@ -1,6 +1,7 @@
 # What a Pico's panel shows, how often a second, and the RAM that the images take: part of measure.sh.
 
-# Two frames of each scene: the second starts in the other buffer, and the cycles of the first end where it begins.
+# Two frames of each scene: the first is sent as a whole, as any that shows something new, and the second as all that follow.
+# Its cycles are what the table says; the picture and the checksum are the first one's, as the bench's are.
 frames=2
 
 # Runs an image of the package `pico`, and compares its panel with the host. More arguments go to the comparison.
@@ -41,7 +42,8 @@ measure_panel() {
         echo 'panel,image,scene,left_out,cycles,fps_125mhz,crc'
         for image in dma-240x240 portable-240x240 dma-320x240; do
             LC_ALL=C awk -F, -v OFS=, -v panel="${image#*-}" -v image="${image%-*}" \
-                '$2 == 0 { print panel, image, $1, $3, $4, sprintf("%.1f", 125000000 / $4), $5 }' "$work/$image.csv"
+                '$2 == 0 { crc = $5 } $2 == 1 { print panel, image, $1, $3, $4, sprintf("%.1f", 125000000 / $4), crc }' \
+                "$work/$image.csv"
         done
     } >"$work/tables/panel.csv"
     {

@@ -11,9 +11,12 @@ use crate::shade::{Look, Method, Shade};
 use crate::texture::WAVES;
 
 /// From the middle of the board: the nearer, the more pixels.
-const DISTANCE: &str = "2.82";
-/// Degrees above the sea: the higher, the more pixels of sea, and the fewer of sky.
-const PITCH: i32 = 36;
+const DISTANCE: &str = "4.76";
+/// Degrees above the sea: the higher, the more of the triangles face the viewer, and the more pixels are sea and not sky.
+const PITCH: i32 = 30;
+/// Degrees from top to bottom. From far away through a narrow angle, a board of as many pixels is wider and less high: it lies
+/// in fewer strips.
+const FIELD_OF_VIEW: i32 = 25;
 
 /// The nearest first, roughly: what is hidden later costs a depth and no colour.
 pub(crate) const DEMO: Scene = Scene {
@@ -23,8 +26,8 @@ pub(crate) const DEMO: Scene = Scene {
         target: [Length::ZERO, Length::lit("0.1"), Length::ZERO],
         distance: Length::lit(DISTANCE),
         pitch: Turn::from_degrees(PITCH),
-        field_of_view: 45,
-        depth: (1.4, 3.9),
+        field_of_view: FIELD_OF_VIEW,
+        depth: (3.3, 5.9),
     },
     background: [28, 34, 66],
     objects: &[

@@ -1,6 +1,7 @@
 //! A frame's triangles after the vertex stages: what is rendered to strips, as often as there are strips.
 
 use core::marker::PhantomData;
+use core::ops::Range;
 
 use embedded_graphics_core::geometry::Size;
 use heapless::Vec;
@@ -225,6 +226,36 @@ impl<'a, P, D: Depth, T> DrawList<'a, P, D, T> {
     /// What became of the faces that were drawn so far.
     pub const fn stats(&self) -> Stats {
         self.contents.stats
+    }
+
+    /// The rows of the frame from the first that a triangle lies in to the last; none, from 0 on, where the list is empty.
+    ///
+    /// All others show what a strip is cleared to: where a display does so already, they need not be rendered or sent.
+    /// Each call looks at all triangles.
+    ///
+    /// ```
+    /// use embedded_graphics_core::geometry::Size;
+    /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+    /// use topleft::{Flat, ListStorage, Mesh, NoDepth, Orthographic, Pose};
+    ///
+    /// let positions = [[-32767, 0, 0], [32767, 0, 0], [0, 16384, 0]];
+    /// let mesh = Mesh::new(&positions, &[[0, 1, 2]]).unwrap();
+    /// let camera = Orthographic::new(Size::new(8, 8), 2.0, -1.0..1.0);
+    ///
+    /// let mut storage = ListStorage::<6, 1>::new();
+    /// let mut list = storage.list::<Rgb565, NoDepth>();
+    /// assert_eq!(list.rows(), 0..0);
+    /// list.draw(&camera, &mesh, &Pose::new(), &Flat::new(Rgb565::RED)).unwrap();
+    /// assert_eq!(list.rows(), 2..4);
+    /// ```
+    pub fn rows(&self) -> Range<i32> {
+        let triangles = self.contents.triangles.get(..self.contents.used_triangles).unwrap_or_default();
+        let (mut first, mut last) = (u16::MAX, 0);
+        for triangle in triangles {
+            let [top, bottom] = triangle.rows;
+            (first, last) = (first.min(top), last.max(bottom));
+        }
+        i32::from(first.min(last))..i32::from(last)
     }
 
     /// Words of vertices in use.

@@ -13,7 +13,7 @@ use topleft::{
 
 use super::{BACKGROUND, Drawing, OfMesh, WAYS};
 use crate::support::check;
-use crate::support::frame::{Frame, Strips};
+use crate::support::frame::{Frame, Strips, rendered};
 use crate::support::strategies::mesh_data;
 
 /// What is done with a list between two strips, by chance.
@@ -227,4 +227,30 @@ fn planes_are_found_once_where_there_is_room() {
         };
         assert_eq!([planes(&mut list), planes(&mut list)], [expected; 2], "{free} words");
     }
+}
+
+// Red when a triangle's rows are left out of the list's: `min` and `max` change places in `DrawList::rows`, or it ends with a row
+// that shows something. That they are not too many is in its documentation's example.
+#[test]
+fn nothing_is_drawn_above_or_below_the_rows_of_a_list() {
+    let outside = Cell::new(0);
+    check(2_000, &((mesh_data(), 0..WAYS - 1), (mesh_data(), 0..WAYS - 1)), |meshes| {
+        let (mut words, mut triangles) = (vec![0; 4_096], vec![ListTriangle::EMPTY; 192]);
+        let mut list = DrawList::<u16, NoDepth>::new(&mut words, &mut triangles);
+        for (data, way) in [&meshes.0, &meshes.1] {
+            OfMesh { mesh: data.mesh(), way: *way, near: 0.05, stats: Cell::default() }.draw(&mut list);
+        }
+        let frame = rendered(&list, 36, 0..26, 26, BACKGROUND);
+        for (row, cells) in (0..).zip(frame.colours.chunks(36)) {
+            if !list.rows().contains(&row) {
+                outside.set(outside.get() + 1);
+                if cells.iter().any(|&colour| colour != BACKGROUND) {
+                    return Err(format!("row {row} is not in {:?}", list.rows()));
+                }
+            }
+        }
+        Ok(())
+    });
+    println!("{} rows", outside.get());
+    assert!(outside.get() > 1_000);
 }

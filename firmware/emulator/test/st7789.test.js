@@ -3,8 +3,8 @@ import { test } from 'node:test';
 import { St7789 } from '../st7789.js';
 
 /** A panel that is awake, on, and inverted, as IPS panels want it. */
-function panel(options) {
-    const shown = new St7789(options);
+function panel() {
+    const shown = new St7789();
     send(shown, 0x11);
     send(shown, 0x21);
     send(shown, 0x29);

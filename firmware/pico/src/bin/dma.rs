@@ -3,8 +3,9 @@
 
 #[cfg(target_os = "none")]
 mod image {
+    use embedded_hal::digital::StatefulOutputPin;
     use panic_halt as _;
-    use pico::{Cells, Memory, PANEL, STRIP_CELLS, STRIP_ROWS, Show, label};
+    use pico::{Cells, Memory, PANEL, STRIP_CELLS, STRIP_ROWS, Show, Shown, label, strips};
     use topleft::{Pixel, Strip};
 
     use pico::chip::{Board, Panel};
@@ -19,23 +20,25 @@ mod image {
 
         // Only to start the panel: it is small, and given back.
         let mut batch = [0; 8];
-        let Some(Board { panel, parts, mut next }) = Board::new(&mut batch) else {
+        let Some(Board { panel, parts, mut next, mut led }) = Board::new(&mut batch) else {
             panic!("the board does not start")
         };
         let mut panel = Panel::new(panel, parts, spare);
         let mut list = MEMORY.list_with_traversal::<_, _, topleft_thumb::Spans>();
-        let mut show = Show::new();
+        let (mut show, mut shown) = (Show::new(), Shown::default());
         loop {
+            let Ok(()) = led.toggle();
             let left_out = show.draw(&mut list);
             let background = u16::from_rgb(show.scene().background);
-            for top in (0..PANEL.height as usize).step_by(STRIP_ROWS) {
+            // Where the panel shows the background, and nothing else comes, nothing is sent.
+            for top in strips(shown.change(background, list.rows(), left_out)) {
                 let strip = Strip::new(PANEL.width as u16, cells).and_then(|strip| strip.with_depth(DEPTHS));
                 let Ok(strip) = strip else { panic!("a strip is whole rows of the panel") };
                 let mut strip = strip.with_background(background);
                 strip.clear();
-                list.render_next(top as i32..(top + STRIP_ROWS) as i32, &mut strip);
-                let Ok(()) = label(&mut Cells::new(cells, top), left_out);
-                (panel, cells) = panel.exchange(cells, top);
+                list.render_next(top..top + STRIP_ROWS as i32, &mut strip);
+                let Ok(()) = label(&mut Cells::new(cells, top as usize), left_out);
+                (panel, cells) = panel.exchange(cells, top as usize);
             }
             show = if next.is_due() { show.next_scene() } else { show.next_frame() };
         }

@@ -4,6 +4,7 @@
 #[cfg(target_os = "none")]
 mod image {
     use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    use embedded_hal::digital::StatefulOutputPin;
     use panic_halt as _;
     use pico::{Memory, PANEL, STRIP_CELLS, Show, label};
     use topleft::{Pixel, Strip};
@@ -17,12 +18,13 @@ mod image {
         static mut DEPTHS: [u16; STRIP_CELLS] = [0; STRIP_CELLS];
         static mut BATCH: [u8; 512] = [0; 512];
 
-        let Some(Board { mut panel, mut next, .. }) = Board::new(BATCH) else {
+        let Some(Board { mut panel, mut next, mut led, .. }) = Board::new(BATCH) else {
             panic!("the board does not start")
         };
         let mut list = MEMORY.list();
         let mut show = Show::new();
         loop {
+            let Ok(()) = led.toggle();
             let left_out = show.draw(&mut list);
             let strip = Strip::new(PANEL.width as u16, CELLS).and_then(|strip| strip.with_depth(DEPTHS));
             let Ok(strip) = strip else { panic!("a strip is whole rows of the panel") };

@@ -7,7 +7,7 @@ use mipidsi::{Builder, Display};
 use rp2040_hal::clocks::init_clocks_and_plls;
 use rp2040_hal::dma::{CH0, Channel, DMAExt};
 use rp2040_hal::fugit::RateExtU32;
-use rp2040_hal::gpio::bank0::{Gpio8, Gpio10, Gpio11, Gpio12, Gpio15};
+use rp2040_hal::gpio::bank0::{Gpio8, Gpio10, Gpio11, Gpio12, Gpio15, Gpio25};
 use rp2040_hal::gpio::{
     FunctionSio, FunctionSpi, Pin, PinState, Pins, PullDown, PullUp, SioInput, SioOutput,
 };
@@ -42,6 +42,8 @@ pub struct Board<'b> {
     pub parts: Parts,
     /// The button A.
     pub next: Next<Pin<Gpio15, FunctionSio<SioInput>, PullUp>>,
+    /// The board's own light, to be toggled where a frame starts: it flickers at half of the frames' rate.
+    pub led: Output<Gpio25>,
 }
 
 /// What a transfer by DMA needs beside the panel.
@@ -99,6 +101,7 @@ impl<'b> Board<'b> {
             panel,
             parts: Parts { dma: chip.DMA.split(&mut chip.RESETS).ch0, resets: chip.RESETS, peripheral_hz },
             next: Next::new(pins.gpio15.into_pull_up_input(), timer),
+            led: pins.gpio25.into_push_pull_output(),
         })
     }
 }
