@@ -64,8 +64,9 @@ impl Kernel for Thumb {
             (Shade::Flat(colour), Tested::Never) => flat::draw(rows, colour),
             (Shade::Flat(colour), Tested::Depth16(depth)) => flat::draw_tested(rows, depth, colour),
             // Where products of 64 bits are instructions, the library's own rows are no slower without depth.
-            (Shade::Gouraud(_), Tested::Never) if cfg!(not(narrow)) => return false,
-            (Shade::Gouraud(channels), _) if !gouraud::suits(&channels, rows.width()) => return false,
+            #[cfg(not(narrow))]
+            (Shade::Gouraud(_), Tested::Never) => return false,
+            #[cfg(narrow)]
             (Shade::Gouraud(channels), Tested::Never) => gouraud::draw(rows, &channels),
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
                 gouraud::draw_tested(rows, depth, &channels);
