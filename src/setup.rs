@@ -63,7 +63,11 @@ pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
 pub(crate) const SMALL: i32 = 32 << SUBPIXEL_BITS;
 
 /// A triangle ready for traversal: snapped vertices inside the guard rectangle, in canonical order.
+///
+/// A [`Kernel`](crate::stages::Kernel) in assembly reads it where it lies: at bytes 0 to 23 column and row of each vertex, in
+/// steps of 1/256 px, and at byte 24 the doubled area, an `i64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Setup {
     points: [Snapped; 3],
     area2: i64,

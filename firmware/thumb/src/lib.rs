@@ -26,11 +26,18 @@
 //! ```
 #![no_std]
 
+#[cfg(thumb)]
+use core::ops::Range;
+
 use topleft::SpansBy;
 use topleft::stages::{Kernel, Rows};
+#[cfg(thumb)]
+use topleft::stages::{Setup, ShortEdge, Trapezoids};
 
 #[cfg(thumb)]
 mod affine;
+#[cfg(thumb)]
+mod edges;
 #[cfg(thumb)]
 mod flat;
 #[cfg(thumb)]
@@ -78,5 +85,10 @@ impl Kernel for Thumb {
             }
         }
         true
+    }
+
+    #[inline(always)]
+    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
+        edges::trapezoids(setup, rows)
     }
 }
