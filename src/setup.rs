@@ -188,6 +188,15 @@ pub(crate) fn canonical<T>([a, b, c]: [(Snapped, T); 3]) -> [(Snapped, T); 3] {
 mod tests {
     use super::*;
 
+    // Red when a field is moved: kernels in assembly have these numbers.
+    #[test]
+    fn assembly_finds_the_fields_where_they_were() {
+        use core::mem::{offset_of, size_of};
+
+        assert_eq!([offset_of!(Setup, points), offset_of!(Setup, area2)], [0, 24]);
+        assert_eq!((offset_of!(Snapped, x), offset_of!(Snapped, y), size_of::<Snapped>()), (0, 4, 8));
+    }
+
     #[test]
     fn canonical_order_does_not_depend_on_the_given_one() {
         let points = [Snapped::from_bits(5, 7), Snapped::from_bits(-5, 7), Snapped::from_bits(0, -300)];

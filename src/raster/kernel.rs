@@ -59,7 +59,7 @@ pub trait Kernel {
     /// What it may rely on: of the rows there is at least one, and the triangle crosses them all. Its vertices are less than 32 px
     /// apart on both axes, and from column -2047 to 2047; an edge that crosses a row is at least 4/256 px high.
     #[must_use]
-    #[inline]
+    #[inline(never)]
     fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
         Trapezoids::new(setup, rows)
     }

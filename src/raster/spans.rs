@@ -39,7 +39,8 @@ impl<K: Kernel> Traversal for SpansBy<K> {
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
         let (top, bottom) = short_rows(setup, window);
         if top >= bottom {
-            return Spans::spans(setup, window, target);
+            let rows = rows(setup, window);
+            return if rows.is_empty() { Ok(()) } else { long(setup, rows).rows(&window.columns, target) };
         }
         let trapezoids = &K::trapezoids(setup, top..bottom);
         let sides = kernel::Sides { trapezoids, columns: &window.columns };
@@ -67,6 +68,12 @@ impl Sides {
             Self::Long(Trapezoids::new(setup, rows))
         }
     }
+}
+
+/// Sides that are walked exactly, linked once.
+#[inline(never)]
+fn long(setup: &Setup, rows: Range<i32>) -> Trapezoids<Dda> {
+    Trapezoids::new(setup, rows)
 }
 
 /// The rows of a window that a triangle crosses.

@@ -1,12 +1,25 @@
 //! A kernel as plain as can be: each pixel by its planes. What it draws, and what it leaves, has to be what the stages draw.
 
 use std::cell::Cell;
+use std::ops::Range;
 
-use topleft::stages::{DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, Span, Tested, Traversal, Window};
-use topleft::{Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
+use topleft::stages::{
+    DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, ShortEdge, Span, Tested, Trapezoids, Traversal, Window,
+};
+use topleft::{Coord, Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
 
 thread_local! {
     static DRAWN: Cell<u64> = const { Cell::new(0) };
+    static SIDES: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Draws nothing, and has the sides that all have.
+enum Nothing {}
+
+impl Kernel for Nothing {
+    fn draw(_: Rows<'_>) -> bool {
+        false
+    }
 }
 
 /// Draws all that kernels are handed, but for textures that end.
@@ -49,6 +62,23 @@ impl Kernel for ByHand {
         }
         true
     }
+
+    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
+        SIDES.set(SIDES.get() + 1);
+        // Promised as well.
+        let [a, b, c] = setup.points();
+        let crossed = setup.rows();
+        assert!(!rows.is_empty() && rows.start >= crossed.start && rows.end <= crossed.end, "{rows:?}");
+        for (upper, lower) in [(a, b), (b, c), (a, c)] {
+            let [x, y] = [upper.x, upper.y].map(Coord::to_bits);
+            let [width, height] = [lower.x.to_bits() - x, lower.y.to_bits() - y];
+            assert!(width.abs() < 32 << 8 && (0..32 << 8).contains(&height), "{setup:?}");
+            assert!([x, x + width].iter().all(|x| x.abs() <= 2047 << 8), "{setup:?}");
+            let crosses = (y + 127) >> 8 < (y + height + 127) >> 8;
+            assert!(!crosses || height >= 4, "{setup:?}");
+        }
+        Nothing::trapezoids(setup, rows)
+    }
 }
 
 /// Spans of a window that no strip here has.
@@ -75,16 +105,20 @@ fn row<T: Traversal>() -> (u64, Vec<u16>) {
     let (white, shader) = ([[255; 3]; 5], FlatPixel);
     list.draw_projected(size, (0..15).map(corner), &faces, &white, &shader).expect("it is long enough");
     DRAWN.set(0);
+    SIDES.set(0);
     list.render(0..16, &mut Strip::new(40, &mut colours).expect("rows"));
     (DRAWN.get(), colours.to_vec())
 }
 
-// Red when triangles whose columns are not all in the strip reach a kernel: `columns.start >= 0` or `columns.end <= width` in
+// Red when kernels are not asked for sides, or triangles whose columns are not all in the strip reach a kernel: `columns.start >= 0` or `columns.end <= width` in
 // `Rows::new`.
 #[test]
 fn kernels_get_whole_triangles_inside_of_the_strip_and_nothing_else() {
     let (none, expected) = row::<Spans>();
+    assert_eq!(SIDES.get(), 0);
     let (drawn, colours) = row::<SpansBy<ByHand>>();
+    // Those that reach over an end of the strip have other edges.
+    assert_eq!(SIDES.get(), 3);
     // Three of the five are inside.
     let seen = expected.iter().filter(|&&colour| colour != 0).count() as u64;
     assert!(none == 0 && drawn > 200 && drawn < seen, "{drawn} of {seen}");

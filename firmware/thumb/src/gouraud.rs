@@ -49,7 +49,8 @@ pub(crate) fn draw(rows: Rows<'_>, channels: &Channels) {
 #[inline(always)]
 pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, channels: &Channels) {
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
-    // SAFETY: as above; each cell has its depth as far from it as the first has.
+    // SAFETY: the cells are borrowed for all rows, each has its depth as far from it as the first has, and no row reaches beyond
+    // its cells or over more than 32 of them.
     unsafe { gouraud_tested(trapezoids, row, stride, to_depth, Frame::new(channels, depth)) };
 }
 
@@ -63,7 +64,7 @@ pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, channels: &Ch
 /// Stack: 0, the row after all, and where the lower side is; 8, where the last pixel's code ends; what [`keep`] keeps; 48,
 /// steps from row to row; 64, bytes a row and the row that the sides end before; 72, left and right side, and slopes.
 macro_rules! rows {
-    ($bytes:literal, $test:literal) => {
+    ($bytes:literal, $test:literal, $step:literal) => {
         naked_asm!(
             keep!(),
             "mov lr, r3
@@ -116,9 +117,9 @@ macro_rules! rows {
              3:
              add r2, r8
              add r3, r9
-             add r4, r10
-             add r5, r11
-             .endr",
+             add r4, r10",
+            $step,
+            ".endr",
             "4:
              add r7, sp, #48
              ldmia r7!, {{r1, r6}}
@@ -201,7 +202,7 @@ unsafe extern "C" fn gouraud(
     to_depth: usize,
     frame: Frame,
 ) {
-    rows!(24, "")
+    rows!(22, "", "")
 }
 
 /// 20 cycles a pixel that is visible.
@@ -219,6 +220,7 @@ unsafe extern "C" fn gouraud_tested(
          lsrs r7, r5, #16
          cmp r6, r7
          bhs 3f
-         strh r7, [r1, #\\column]"
+         strh r7, [r1, #\\column]",
+        "add r5, r11"
     )
 }

@@ -5,9 +5,10 @@
 //! wide and high, in strips of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
 //!
 //! All else is drawn by the library itself: textures that end ([`Wrap::Clamp`](topleft::Wrap)), are in perspective or under
-//! light; triangles that reach over the left or right edge of the strip, or change by more than all of a channel in a pixel;
-//! and all of them on chips without these instructions. Gouraud without depth gains on cores only that have no products of 64
-//! bits, such as a Cortex-M0+.
+//! light; triangles that reach over the left or right edge of the strip; and all of them on chips without these instructions.
+//! Gouraud without depth gains on cores only that have no products of 64 bits, such as a Cortex-M0+.
+//!
+//! Sides of small triangles are found here too, whatever is drawn between them.
 //!
 //! It is a traversal, which a list is made with:
 //!
