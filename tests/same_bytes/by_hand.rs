@@ -1,10 +1,12 @@
 //! A kernel as plain as can be: each pixel by its planes. What it draws, and what it leaves, has to be what the stages draw.
 
 use std::cell::Cell;
+use std::convert::Infallible;
 use std::ops::Range;
 
 use topleft::stages::{
-    DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, ShortEdge, Span, Tested, Trapezoids, Traversal, Window,
+    DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, ShortEdge, Snapped, Span, Tested, Trapezoids, Traversal,
+    Window,
 };
 use topleft::{Coord, Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
 
@@ -126,4 +128,30 @@ fn kernels_get_whole_triangles_inside_of_the_strip_and_nothing_else() {
     let drawn =
         [row::<Between<0, 60>>(), row::<Between<-10, 40>>(), row::<Between<0, 40>>()].map(|row| row.0);
     assert!(drawn[..2] == [0, 0] && drawn[2] > 200, "{drawn:?}");
+}
+
+// Red when `ShortEdge::suits` takes edges that are lower, triangles that are wider or higher, or vertices left of the window.
+#[test]
+fn kernels_find_the_sides_of_small_triangles_and_of_no_others() {
+    let asked = |corners: [[i32; 2]; 3]| {
+        let (setup, _) = Setup::new(corners.map(|[x, y]| Snapped::from_bits(x, y))).expect("an area");
+        let window = Window { columns: 0..60, rows: 0..60 };
+        let (mut spans, mut expected) = (Vec::new(), Vec::new());
+        SIDES.set(0);
+        let Ok(()) = SpansBy::<ByHand>::walk::<Infallible>(&setup, &window, |span| {
+            spans.push(span);
+            Ok(())
+        });
+        let Ok(()) = Spans::walk::<Infallible>(&setup, &window, |span| {
+            expected.push(span);
+            Ok(())
+        });
+        assert!(spans == expected && !spans.is_empty(), "{spans:?}, {expected:?}");
+        SIDES.get()
+    };
+    // From above the first row's centres to 4 steps further down, and to 3.
+    assert_eq!([130, 129].map(|y| asked([[300, 126], [2000, y], [300, 2000]])), [1, 0]);
+    assert_eq!([8191, 8192].map(|x| asked([[0, 0], [x, 300], [0, 2000]])), [1, 0]);
+    assert_eq!([8191, 8192].map(|y| asked([[0, 0], [2000, 300], [0, y]])), [1, 0]);
+    assert_eq!([0, -1].map(|x| asked([[x, 0], [2000, 300], [0, 2000]])), [1, 0]);
 }
