@@ -38,7 +38,8 @@ impl ShortEdge {
     /// ```
     /// use topleft::stages::ShortEdge;
     ///
-    /// assert_eq!(ShortEdge::reciprocals()[32], (1 << 22) / 96 + 1 - (1 << 15));
+    /// // 2^22 / 96 is 43690.7.
+    /// assert_eq!(ShortEdge::reciprocals()[32], 43691 - (1 << 15));
     /// ```
     #[must_use]
     #[inline(always)]
