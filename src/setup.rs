@@ -63,7 +63,11 @@ pub(crate) fn facing(a: Snapped, b: Snapped, c: Snapped) -> i32 {
 pub(crate) const SMALL: i32 = 32 << SUBPIXEL_BITS;
 
 /// A triangle ready for traversal: snapped vertices inside the guard rectangle, in canonical order.
+///
+/// A [`Kernel`](crate::stages::Kernel) in assembly reads it where it lies: at bytes 0 to 23 column and row of each vertex, in
+/// steps of 1/256 px, and at byte 24 the doubled area, an `i64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Setup {
     points: [Snapped; 3],
     area2: i64,
@@ -183,6 +187,15 @@ pub(crate) fn canonical<T>([a, b, c]: [(Snapped, T); 3]) -> [(Snapped, T); 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    // Red when a field is moved: kernels in assembly have these numbers.
+    #[test]
+    fn assembly_finds_the_fields_where_they_were() {
+        use core::mem::{offset_of, size_of};
+
+        assert_eq!([offset_of!(Setup, points), offset_of!(Setup, area2)], [0, 24]);
+        assert_eq!((offset_of!(Snapped, x), offset_of!(Snapped, y), size_of::<Snapped>()), (0, 4, 8));
+    }
 
     #[test]
     fn canonical_order_does_not_depend_on_the_given_one() {

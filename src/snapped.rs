@@ -4,6 +4,7 @@ use crate::math::format::{Coord, HALF_PIXEL, SUBPIXEL_BITS};
 
 /// A vertex on the screen, in steps of 1/256 px.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 pub struct Snapped {
     /// To the right.
     pub x: Coord,

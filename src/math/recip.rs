@@ -18,7 +18,7 @@
 use super::product;
 
 /// `round(2^16 / (1 + i / 64)) - 2^15`, so that the first entry fits too.
-const TABLE: [u16; 65] = {
+static TABLE: [u16; 65] = {
     let mut table = [0; 65];
     let mut i = 0;
     while i < table.len() {
@@ -28,6 +28,12 @@ const TABLE: [u16; 65] = {
     }
     table
 };
+
+/// What [`short`] interpolates in.
+#[inline(always)]
+pub(crate) fn short_table() -> &'static [u16; 65] {
+    &TABLE
+}
 
 /// A reciprocal with its power of two: see each function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

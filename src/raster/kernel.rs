@@ -11,6 +11,7 @@ use super::edge::ShortEdge;
 use super::trapezoids::Trapezoids;
 use crate::gradients::Plane;
 use crate::math::format::{Attribute, DepthCode};
+use crate::setup::Setup;
 use crate::texture::Texture;
 
 /// A chip's own way to draw small triangles, less than 32 px wide and high and inside of the strip: a type parameter of
@@ -52,6 +53,16 @@ use crate::texture::Texture;
 pub trait Kernel {
     /// Draws all rows of a triangle, or none of them: whether it did.
     fn draw(rows: Rows<'_>) -> bool;
+
+    /// The sides of a triangle, in some rows: those that this returns if it is left as it is, to the last bit.
+    ///
+    /// What it may rely on: of the rows there is at least one, and the triangle crosses them all. Its vertices are less than 32 px
+    /// apart on both axes, and from column -2047 to 2047; an edge that crosses a row is at least 4/256 px high.
+    #[must_use]
+    #[inline(never)]
+    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
+        Trapezoids::new(setup, rows)
+    }
 }
 
 /// The sides of a triangle whose edges are short, and the columns that none of them leaves.

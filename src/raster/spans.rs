@@ -1,6 +1,7 @@
 //! The span walk: two edges from row to row, without any test or rounding a pixel.
 
 use core::marker::PhantomData;
+use core::ops::Range;
 
 use super::edge::{Dda, ShortEdge};
 use super::kernel::{self, Kernel};
@@ -36,15 +37,14 @@ pub struct SpansBy<K>(PhantomData<K>);
 impl<K: Kernel> Traversal for SpansBy<K> {
     #[inline]
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
-        // Borrowed: out of what they are returned in, they would be copied.
-        match &Sides::new(setup, window) {
-            Sides::None => Ok(()),
-            Sides::Short(trapezoids) => {
-                let sides = kernel::Sides { trapezoids, columns: &window.columns };
-                if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
-            }
-            Sides::Long(trapezoids) => trapezoids.rows(&window.columns, target),
+        let (top, bottom) = short_rows(setup, window);
+        if top >= bottom {
+            let rows = rows(setup, window);
+            return if rows.is_empty() { Ok(()) } else { long(setup, rows).rows(&window.columns, target) };
         }
+        let trapezoids = &K::trapezoids(setup, top..bottom);
+        let sides = kernel::Sides { trapezoids, columns: &window.columns };
+        if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
     }
 }
 
@@ -59,8 +59,7 @@ enum Sides {
 impl Sides {
     #[inline(never)]
     fn new(setup: &Setup, window: &Window) -> Self {
-        let rows = setup.rows();
-        let rows = rows.start.max(window.rows.start)..rows.end.min(window.rows.end);
+        let rows = rows(setup, window);
         if rows.is_empty() {
             Self::None
         } else if ShortEdge::suits(setup, &window.columns) {
@@ -68,5 +67,29 @@ impl Sides {
         } else {
             Self::Long(Trapezoids::new(setup, rows))
         }
+    }
+}
+
+/// Sides that are walked exactly, linked once.
+#[inline(never)]
+fn long(setup: &Setup, rows: Range<i32>) -> Trapezoids<Dda> {
+    Trapezoids::new(setup, rows)
+}
+
+/// The rows of a window that a triangle crosses.
+#[inline(always)]
+fn rows(setup: &Setup, window: &Window) -> Range<i32> {
+    let rows = setup.rows();
+    rows.start.max(window.rows.start)..rows.end.min(window.rows.end)
+}
+
+/// The same from one to another, of triangles whose edges are short: none of all others.
+#[inline(never)]
+fn short_rows(setup: &Setup, window: &Window) -> (i32, i32) {
+    if ShortEdge::suits(setup, &window.columns) {
+        let Range { start, end } = rows(setup, window);
+        (start, end)
+    } else {
+        (0, 0)
     }
 }

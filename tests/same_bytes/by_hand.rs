@@ -1,12 +1,27 @@
 //! A kernel as plain as can be: each pixel by its planes. What it draws, and what it leaves, has to be what the stages draw.
 
 use std::cell::Cell;
+use std::convert::Infallible;
+use std::ops::Range;
 
-use topleft::stages::{DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, Span, Tested, Traversal, Window};
-use topleft::{Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
+use topleft::stages::{
+    DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, ShortEdge, Snapped, Span, Tested, Trapezoids, Traversal,
+    Window,
+};
+use topleft::{Coord, Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
 
 thread_local! {
     static DRAWN: Cell<u64> = const { Cell::new(0) };
+    static SIDES: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Draws nothing, and has the sides that all have.
+enum Nothing {}
+
+impl Kernel for Nothing {
+    fn draw(_: Rows<'_>) -> bool {
+        false
+    }
 }
 
 /// Draws all that kernels are handed, but for textures that end.
@@ -49,6 +64,23 @@ impl Kernel for ByHand {
         }
         true
     }
+
+    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
+        SIDES.set(SIDES.get() + 1);
+        // Promised as well.
+        let [a, b, c] = setup.points();
+        let crossed = setup.rows();
+        assert!(!rows.is_empty() && rows.start >= crossed.start && rows.end <= crossed.end, "{rows:?}");
+        for (upper, lower) in [(a, b), (b, c), (a, c)] {
+            let [x, y] = [upper.x, upper.y].map(Coord::to_bits);
+            let [width, height] = [lower.x.to_bits() - x, lower.y.to_bits() - y];
+            assert!(width.abs() < 32 << 8 && (0..32 << 8).contains(&height), "{setup:?}");
+            assert!([x, x + width].iter().all(|x| x.abs() <= 2047 << 8), "{setup:?}");
+            let crosses = (y + 127) >> 8 < (y + height + 127) >> 8;
+            assert!(!crosses || height >= 4, "{setup:?}");
+        }
+        Nothing::trapezoids(setup, rows)
+    }
 }
 
 /// Spans of a window that no strip here has.
@@ -75,16 +107,20 @@ fn row<T: Traversal>() -> (u64, Vec<u16>) {
     let (white, shader) = ([[255; 3]; 5], FlatPixel);
     list.draw_projected(size, (0..15).map(corner), &faces, &white, &shader).expect("it is long enough");
     DRAWN.set(0);
+    SIDES.set(0);
     list.render(0..16, &mut Strip::new(40, &mut colours).expect("rows"));
     (DRAWN.get(), colours.to_vec())
 }
 
-// Red when triangles whose columns are not all in the strip reach a kernel: `columns.start >= 0` or `columns.end <= width` in
+// Red when kernels are not asked for sides, or triangles whose columns are not all in the strip reach a kernel: `columns.start >= 0` or `columns.end <= width` in
 // `Rows::new`.
 #[test]
 fn kernels_get_whole_triangles_inside_of_the_strip_and_nothing_else() {
     let (none, expected) = row::<Spans>();
+    assert_eq!(SIDES.get(), 0);
     let (drawn, colours) = row::<SpansBy<ByHand>>();
+    // Those that reach over an end of the strip have other edges.
+    assert_eq!(SIDES.get(), 3);
     // Three of the five are inside.
     let seen = expected.iter().filter(|&&colour| colour != 0).count() as u64;
     assert!(none == 0 && drawn > 200 && drawn < seen, "{drawn} of {seen}");
@@ -92,4 +128,30 @@ fn kernels_get_whole_triangles_inside_of_the_strip_and_nothing_else() {
     let drawn =
         [row::<Between<0, 60>>(), row::<Between<-10, 40>>(), row::<Between<0, 40>>()].map(|row| row.0);
     assert!(drawn[..2] == [0, 0] && drawn[2] > 200, "{drawn:?}");
+}
+
+// Red when `ShortEdge::suits` takes edges that are lower, triangles that are wider or higher, or vertices left of the window.
+#[test]
+fn kernels_find_the_sides_of_small_triangles_and_of_no_others() {
+    let asked = |corners: [[i32; 2]; 3]| {
+        let (setup, _) = Setup::new(corners.map(|[x, y]| Snapped::from_bits(x, y))).expect("an area");
+        let window = Window { columns: 0..60, rows: 0..60 };
+        let (mut spans, mut expected) = (Vec::new(), Vec::new());
+        SIDES.set(0);
+        let Ok(()) = SpansBy::<ByHand>::walk::<Infallible>(&setup, &window, |span| {
+            spans.push(span);
+            Ok(())
+        });
+        let Ok(()) = Spans::walk::<Infallible>(&setup, &window, |span| {
+            expected.push(span);
+            Ok(())
+        });
+        assert!(spans == expected && !spans.is_empty(), "{spans:?}, {expected:?}");
+        SIDES.get()
+    };
+    // From above the first row's centres to 4 steps further down, and to 3.
+    assert_eq!([130, 129].map(|y| asked([[300, 126], [2000, y], [300, 2000]])), [1, 0]);
+    assert_eq!([8191, 8192].map(|x| asked([[0, 0], [x, 300], [0, 2000]])), [1, 0]);
+    assert_eq!([8191, 8192].map(|y| asked([[0, 0], [2000, 300], [0, y]])), [1, 0]);
+    assert_eq!([0, -1].map(|x| asked([[x, 0], [2000, 300], [0, 2000]])), [1, 0]);
 }

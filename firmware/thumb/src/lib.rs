@@ -5,9 +5,10 @@
 //! wide and high, in strips of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
 //!
 //! All else is drawn by the library itself: textures that end ([`Wrap::Clamp`](topleft::Wrap)), are in perspective or under
-//! light; triangles that reach over the left or right edge of the strip, or change by more than all of a channel in a pixel;
-//! and all of them on chips without these instructions. Gouraud without depth gains on cores only that have no products of 64
-//! bits, such as a Cortex-M0+.
+//! light; triangles that reach over the left or right edge of the strip; and all of them on chips without these instructions.
+//! Gouraud without depth gains on cores only that have no products of 64 bits, such as a Cortex-M0+.
+//!
+//! Sides of small triangles are found here too, whatever is drawn between them.
 //!
 //! It is a traversal, which a list is made with:
 //!
@@ -26,11 +27,18 @@
 //! ```
 #![no_std]
 
+#[cfg(thumb)]
+use core::ops::Range;
+
 use topleft::SpansBy;
 use topleft::stages::{Kernel, Rows};
+#[cfg(thumb)]
+use topleft::stages::{Setup, ShortEdge, Trapezoids};
 
 #[cfg(thumb)]
 mod affine;
+#[cfg(thumb)]
+mod edges;
 #[cfg(thumb)]
 mod flat;
 #[cfg(thumb)]
@@ -64,8 +72,9 @@ impl Kernel for Thumb {
             (Shade::Flat(colour), Tested::Never) => flat::draw(rows, colour),
             (Shade::Flat(colour), Tested::Depth16(depth)) => flat::draw_tested(rows, depth, colour),
             // Where products of 64 bits are instructions, the library's own rows are no slower without depth.
-            (Shade::Gouraud(_), Tested::Never) if cfg!(not(narrow)) => return false,
-            (Shade::Gouraud(channels), _) if !gouraud::suits(&channels, rows.width()) => return false,
+            #[cfg(not(narrow))]
+            (Shade::Gouraud(_), Tested::Never) => return false,
+            #[cfg(narrow)]
             (Shade::Gouraud(channels), Tested::Never) => gouraud::draw(rows, &channels),
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
                 gouraud::draw_tested(rows, depth, &channels);
@@ -77,5 +86,10 @@ impl Kernel for Thumb {
             }
         }
         true
+    }
+
+    #[inline(always)]
+    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
+        edges::trapezoids(setup, rows)
     }
 }

@@ -32,6 +32,21 @@ const LOWEST: i32 = 4;
 const COLUMNS: i32 = 2047;
 
 impl ShortEdge {
+    /// The reciprocals that slopes are found with, for a [`Kernel`](crate::stages::Kernel) that finds them: at i it is
+    /// 2^22 / (64 + i) rounded to nearest, less 2^15.
+    ///
+    /// ```
+    /// use topleft::stages::ShortEdge;
+    ///
+    /// // 2^22 / 96 is 43690.7.
+    /// assert_eq!(ShortEdge::reciprocals()[32], 43691 - (1 << 15));
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn reciprocals() -> &'static [u16; 65] {
+        recip::short_table()
+    }
+
     /// Whether a triangle's edges can be walked like this: it is small, and no column of it is outside of the window.
     #[inline]
     pub(in crate::raster) fn suits(setup: &Setup, columns: &Range<i32>) -> bool {
