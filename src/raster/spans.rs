@@ -40,7 +40,7 @@ impl<K: Kernel> Traversal for SpansBy<K> {
         match &Sides::new(setup, window) {
             Sides::None => Ok(()),
             Sides::Short(trapezoids) => {
-                let sides = kernel::Sides { trapezoids, columns: &window.columns };
+                let sides = kernel::Sides { setup, trapezoids, columns: &window.columns };
                 if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
             }
             Sides::Long(trapezoids) => trapezoids.rows(&window.columns, target),

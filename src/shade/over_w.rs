@@ -4,6 +4,7 @@ use crate::attributes::Words;
 use crate::gradients::{Gradients, Plane};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
+use crate::raster::TexelsOverW;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -167,6 +168,15 @@ impl TexelBox {
     pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
         let texel_box = Self::new(texels);
         texel_box.over_w(texel_box.parts(texels), aligned(inverses))
+    }
+
+    /// What a kernel divides, where the triangle is in one octave.
+    #[inline(always)]
+    pub(super) fn in_octave(&self, plane: Plane<OverW>) -> Option<TexelsOverW> {
+        let Self { least, span_log2, octave } = *self;
+        let words = |OverW { q, texel: [u, v] }| [q, u, v];
+        let over_w = Plane { start: words(plane.start), dx: words(plane.dx), dy: words(plane.dy) };
+        if octave { Some(TexelsOverW { over_w, least, span_log2 }) } else { None }
     }
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.

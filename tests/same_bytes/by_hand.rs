@@ -2,11 +2,20 @@
 
 use std::cell::Cell;
 
-use topleft::stages::{DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, Span, Tested, Traversal, Window};
+use topleft::stages::{
+    DrawSpan, FlatPixel, Kernel, Plane, Rows, Setup, Shade, Span, Tested, TexelsOverW, Traversal, Window,
+};
 use topleft::{Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
 
 thread_local! {
     static DRAWN: Cell<u64> = const { Cell::new(0) };
+    /// Those of them that took a reciprocal.
+    static DIVIDED: Cell<u64> = const { Cell::new(0) };
+}
+
+/// How many pixels took a reciprocal since the last call.
+pub(crate) fn take_divided() -> u64 {
+    DIVIDED.take()
 }
 
 /// Draws all that kernels are handed, but for textures that end.
@@ -15,8 +24,10 @@ pub(crate) enum ByHand {}
 impl Kernel for ByHand {
     fn draw(rows: Rows<'_>) -> bool {
         let (shade, tested, width) = (rows.shade(), rows.tested(), rows.width());
-        if matches!(shade, Shade::Affine(texture, _) if texture.wrap() == Wrap::Clamp) {
-            return false;
+        if let Shade::Affine(texture, _) | Shade::Perspective(texture, _) = shade {
+            if texture.wrap() == Wrap::Clamp {
+                return false;
+            }
         }
         let mut spans = Vec::new();
         rows.spans(|span| spans.push(span));
@@ -43,12 +54,32 @@ impl Kernel for ByHand {
                         let [u, v] = plane.at(x, y).map(|texel| texel.to_bits() >> 16);
                         texture.texel(u, v)
                     }
+                    Shade::Perspective(texture, texels) => {
+                        DIVIDED.set(DIVIDED.get() + 1);
+                        let [u, v] = divided(&texels, x, y);
+                        texture.texel(u, v)
+                    }
                 };
                 DRAWN.set(DRAWN.get() + 1);
             }
         }
         true
     }
+}
+
+/// The column and row of a pixel's texel, as `TexelsOverW` says.
+fn divided(texels: &TexelsOverW, x: i32, y: i32) -> [i32; 2] {
+    let Plane { start, dx, dy } = texels.over_w;
+    let at = |i: usize| start[i].wrapping_add(dx[i].wrapping_mul(x)).wrapping_add(dy[i].wrapping_mul(y));
+    let [q, u, v] = [0, 1, 2].map(at);
+    // What is promised to code that shifts without a sign.
+    assert!(q >= 1 << 30 && u >= 0 && v >= 0, "{q:#x} {u:#x} {v:#x}");
+    let below = q.cast_unsigned() << 2;
+    let line = TexelsOverW::reciprocals()[(below >> 26) as usize];
+    let reciprocal = (line - (line & 0xFFFF) * (below >> 10)) >> 16;
+    let part = |c: i32| ((c.cast_unsigned() >> 15) * reciprocal) >> (31 - texels.span_log2);
+    let [least_u, least_v] = texels.least;
+    [least_u + part(u).cast_signed(), least_v + part(v).cast_signed()]
 }
 
 /// Spans of a window that no strip here has.

@@ -36,6 +36,8 @@ mod flat;
 #[cfg(thumb)]
 mod gouraud;
 #[cfg(thumb)]
+mod perspective;
+#[cfg(thumb)]
 mod walk;
 
 /// [`topleft::Spans`], with small triangles in Thumb instructions.
@@ -70,10 +72,20 @@ impl Kernel for Thumb {
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
                 gouraud::draw_tested(rows, depth, &channels);
             }
-            (Shade::Affine(texture, _), _) if texture.wrap() != Wrap::Repeat => return false,
+            (Shade::Affine(texture, _) | Shade::Perspective(texture, _), _)
+                if texture.wrap() != Wrap::Repeat =>
+            {
+                return false;
+            }
             (Shade::Affine(texture, texels), Tested::Never) => affine::draw(rows, &texture, &texels),
             (Shade::Affine(texture, texels), Tested::Depth16(depth)) => {
                 affine::draw_tested(rows, depth, &texture, &texels);
+            }
+            (Shade::Perspective(texture, texels), Tested::Never) => {
+                perspective::draw(rows, &texture, &texels);
+            }
+            (Shade::Perspective(texture, texels), Tested::Depth16(depth)) => {
+                perspective::draw_tested(rows, depth, &texture, &texels);
             }
         }
         true
