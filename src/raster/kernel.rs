@@ -116,11 +116,14 @@ pub enum Shade<'a> {
     Perspective(Texture<'a>, TexelsOverW),
 }
 
-/// 1/w in one octave, and texels over w: of a triangle whose pixels take a reciprocal each.
+/// 1/w and texels over w, of a triangle whose pixels take a reciprocal each.
 ///
 /// At a pixel that is covered q = 1/w is from 2^30 up to 2^31, and u/w and v/w are from 0 up to 2^31: with x the 30 bits of q
 /// below its highest one, at the top of 32, and r = `2^16 / (1 + x 2^-32)` as [`reciprocals`](Self::reciprocals) has it, the
 /// column is `least[0] + (((u/w >> 15) * r) >> (31 - span_log2))`, and the row likewise: in 32 bits, without a sign.
+///
+/// Where a triangle has [two octaves](Self::one_octave), q may be from 2^29 on: all three are doubled there. And u/w and v/w may be
+/// some steps below 0, which count as 0.
 #[derive(Clone, Copy, Debug)]
 pub struct TexelsOverW {
     /// 1/w, u/w and v/w in 31 fraction bits, with u and v from 0 to 1 over the texels that the triangle spans.
@@ -129,6 +132,8 @@ pub struct TexelsOverW {
     pub least: [i32; 2],
     /// The power of two of texels that it spans on either axis: 0 to 16.
     pub span_log2: u32,
+    /// Whether 1/w is in [2^30, 2^31) at all pixels; if not, it is in [2^29, 2^31).
+    pub one_octave: bool,
 }
 
 impl TexelsOverW {

@@ -24,7 +24,7 @@ use topleft::{
     Sun, Textured, Turn, Within, Wrap,
 };
 
-use by_hand::{ByHand, take_divided};
+use by_hand::ByHand;
 use support::counter::StrictDisplay;
 use support::frame::{Frame, Strips, rendered};
 use support::strategies::{MeshData, mesh_data};
@@ -271,22 +271,16 @@ fn six_vertex_orders_of_a_flat_drawing_give_the_same_pixels() {
 // when a small float is 0 where something is drawn.
 #[test]
 fn any_strips_and_traversal_give_the_same_bytes_of_random_meshes() {
-    let (frames, divided) = (Cell::new(0), Cell::new([0; WAYS]));
+    let frames = Cell::new(0);
     check(3_000, &meshes(), |(data, way, near)| {
         let drawing = OfMesh { mesh: data.mesh(), way, near, stats: Cell::default() };
-        take_divided();
         let (frame, compared) = any_strips::<Depth16>("a mesh", &drawing)?;
         let (float, also) = any_strips::<DepthFloat>("a mesh, small floats", &drawing)?;
         same("pixels seen", 1, &[float.seen()], &[frame.seen()])?;
         frames.set(frames.get() + compared + also);
-        let mut ways = divided.get();
-        ways[way] += take_divided();
-        divided.set(ways);
         Ok(())
     });
-    println!("{} frames; pixels that a kernel divided: {:?}", frames.get(), divided.get());
-    // `PerPixel`, and `Within` of two errors.
-    assert!([5, 9, 11].iter().all(|&way| divided.get()[way] > 10_000), "{:?}", divided.get());
+    println!("{} frames", frames.get());
 }
 
 // Red as above, and when a triangle is missed by the strip that holds its first or last row: `rows` of `ListTriangle`.

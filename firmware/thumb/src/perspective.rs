@@ -22,15 +22,17 @@ struct Frame {
     to_depth: usize,
     over_w_dx: [u32; 3],
     corner: u32,
-    /// From the lowest byte up: what takes a product to texels; 32 less the power of two that the width is; and 31 less it.
+    /// From the lowest byte up: what takes a product to texels; 32 less the power of two that the width is; 31 less it; and
+    /// whether there are two octaves.
     shifts: u32,
 }
 
 impl Frame {
     #[inline(always)]
     fn new(texture: &Texture<'_>, texels: &TexelsOverW, to_depth: usize, depth: Plane<u32>) -> Self {
-        // What follows the leading one of 1/w.
-        let words = |[q, u, v]: [i32; 3]| [q << 2, u, v].map(i32::cast_unsigned);
+        // In one octave, what follows the leading one of 1/w.
+        let up = if texels.one_octave { 2 } else { 0 };
+        let words = |[q, u, v]: [i32; 3]| [q << up, u, v].map(i32::cast_unsigned);
         let (above, down) = (32 - texture.width().trailing_zeros(), 31 - texels.span_log2);
         let [column, row] = texels.least.map(i32::cast_unsigned);
         Self {
@@ -46,7 +48,7 @@ impl Frame {
             over_w_dx: words(texels.over_w.dx),
             // Of one column, it is 0. Heights divide 2^16.
             corner: (column << (above & 31)).wrapping_add(row & 0xFFFF),
-            shifts: down | above << 8 | (above - 1) << 16,
+            shifts: down | above << 8 | (above - 1) << 16 | u32::from(!texels.one_octave) << 24,
         }
     }
 }
@@ -114,8 +116,7 @@ macro_rules! start {
     };
 }
 
-/// A texel, 34 cycles. The reciprocal; column and row, the column above the row; the corner, and the column turned below the
-/// row. Products are below 2^32: all parts have 16 bits.
+/// A texel, 34 cycles: its reciprocal, and two products of 16 bits by 16.
 macro_rules! texel {
     ($offset:literal) => {
         concat!(
@@ -130,8 +131,18 @@ macro_rules! texel {
              lsrs r5, r2, #15
              muls r5, r4, r5
              lsrs r6, r3, #15
-             muls r4, r6, r4
-             mov r6, lr
+             muls r4, r6, r4\n",
+            show!($offset),
+        )
+    };
+}
+
+/// Shows a texel and steps on. r4, r5: row and column, as products: the column goes above the row, is moved with it by the corner,
+/// and is turned below it.
+macro_rules! show {
+    ($offset:literal) => {
+        concat!(
+            "mov r6, lr
              lsrs r5, r5, r6
              lsrs r4, r4, r6
              lsrs r6, r6, #8
@@ -173,6 +184,11 @@ macro_rules! texels {
              muls r5, r4, r5
              adds r3, r3, r5
              ldr r7, [sp, #68]
+             mov r4, lr
+             lsrs r4, r4, #24
+             beq 2f
+             b 22f
+             2:
              mov r4, r11
              subs r4, r4, r0
              lsls r4, r4, #30
@@ -185,7 +201,47 @@ macro_rules! texels {
             texel!(2),
             "adds r0, r0, #4
              cmp r0, r11
-             bne 2b"
+             bne 2b
+             23:"
+        )
+    };
+}
+
+/// The same of a triangle of two octaves, one at a time: 52 cycles. What is below 0 is 0, and in the lower one all is doubled.
+macro_rules! two_octaves {
+    () => {
+        concat!(
+            "22:
+             lsls r4, r1, #2
+             bcs 2f
+             lsls r4, r4, #1
+             2:
+             lsrs r5, r4, #10
+             lsrs r4, r4, #26
+             lsls r4, r4, #2
+             ldr r4, [r7, r4]
+             uxth r6, r4
+             muls r5, r6, r5
+             subs r4, r4, r5
+             lsrs r4, r4, #16
+             lsrs r7, r1, #30
+             adds r7, r7, #14
+             mov r5, r2
+             asrs r5, r5, r7
+             asrs r6, r5, #31
+             bics r5, r5, r6
+             muls r5, r4, r5
+             mov r6, r3
+             asrs r6, r6, r7
+             asrs r7, r6, #31
+             bics r6, r6, r7
+             muls r4, r6, r4
+             ldr r7, [sp, #68]\n",
+            show!(0),
+            "adds r0, r0, #2
+             cmp r0, r11
+             bne 22b
+             b 23b"
         )
     };
 }
@@ -229,6 +285,7 @@ unsafe extern "C" fn perspective(_: &Trapezoids<ShortEdge>, row: *mut u16, strid
         texels!(),
         "7:",
         step!(),
+        two_octaves!(),
     )
 }
 
@@ -248,5 +305,6 @@ unsafe extern "C" fn perspective_tested(
         hidden!(72),
         "7:",
         step!(),
+        two_octaves!(),
     )
 }

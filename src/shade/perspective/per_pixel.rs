@@ -63,7 +63,7 @@ impl Correction for PerPixel {
         varying: Plane<OverW>,
         _: &Sides<'_>,
     ) -> Option<Shade<'a>> {
-        Some(Shade::Perspective(texture, triangle.in_octave(varying)?))
+        Some(Shade::Perspective(texture, triangle.in_octaves(varying)?))
     }
 }
 

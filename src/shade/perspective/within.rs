@@ -157,7 +157,7 @@ impl Correction for Within {
         varying: Plane<OverW>,
         sides: &Sides<'_>,
     ) -> Option<Shade<'a>> {
-        let texels = triangle.texel_box.in_octave(varying)?;
+        let texels = triangle.texel_box.in_octaves(varying)?;
         if sides.narrower_than(WORTH_SUBSPANS) { Some(Shade::Perspective(texture, texels)) } else { None }
     }
 }
