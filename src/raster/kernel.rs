@@ -86,7 +86,7 @@ impl Sides<'_> {
         // Edges are short: all of it is below 2^27.
         let height = c.y.to_bits() - a.y.to_bits();
         let area2 = self.setup.area2() as i32;
-        area2.abs() <= (i32::from(pixels.clamp(1, 32)) - 1) * height << SUBPIXEL_BITS
+        area2.abs() <= ((i32::from(pixels.clamp(1, 32)) - 1) * height) << SUBPIXEL_BITS
     }
 }
 

@@ -6,11 +6,12 @@ use embedded_graphics::geometry::Size;
 use proptest::prelude::*;
 use scenes::texture::TEST_CARD;
 use topleft::stages::{
-    Correction, DrawSpan, FlatPixel, Kernel, Plane, Rows, Setup, Shade, Span, Tested, TexelsOverW, Traversal, Window,
+    Correction, DrawSpan, FlatPixel, Kernel, Plane, Rows, Setup, Shade, Span, Tested, TexelsOverW, Traversal,
+    Window,
 };
 use topleft::{
-    Attribute, Coord, Cull, Depth16, DepthCode, Length, ListStorage, NoDepth, PerPixel, Point, ProjectedVertex,
-    Spans, SpansBy, Strip, Textured, Within, Wrap, point,
+    Attribute, Coord, Cull, Depth16, DepthCode, Length, ListStorage, NoDepth, PerPixel, Point,
+    ProjectedVertex, Spans, SpansBy, Strip, Textured, Within, Wrap, point,
 };
 
 use crate::support::{check, same};
@@ -28,10 +29,10 @@ pub(crate) enum ByHand {}
 impl Kernel for ByHand {
     fn draw(rows: Rows<'_>) -> bool {
         let (shade, tested, width) = (rows.shade(), rows.tested(), rows.width());
-        if let Shade::Affine(texture, _) | Shade::Perspective(texture, _) = shade {
-            if texture.wrap() == Wrap::Clamp {
-                return false;
-            }
+        if let Shade::Affine(texture, _) | Shade::Perspective(texture, _) = shade
+            && texture.wrap() == Wrap::Clamp
+        {
+            return false;
         }
         let mut spans = Vec::new();
         rows.spans(|span| spans.push(span));
@@ -138,7 +139,7 @@ fn kernels_get_whole_triangles_inside_of_the_strip_and_nothing_else() {
     assert!(drawn[..2] == [0, 0] && drawn[2] > 200, "{drawn:?}");
 }
 
-/// Draws a triangle that is up to 40 px wide and 32 px high, a row of the frame in each strip or all in one.
+/// Draws a triangle that is up to 40 px wide and 32 px high, in strips of so many rows.
 fn divided_by<T: Traversal>(
     corners: &[Vertex; 3],
     shader: &Textured<'_, impl Correction>,
@@ -168,8 +169,8 @@ fn divided_by<T: Traversal>(
 /// A place in 1/256 px, w in steps of a `Length`, a texel in steps of an `Attribute`, and a depth.
 type Vertex = ((i32, i32), i32, [i32; 2], u32);
 
-// Red when a triangle of more than two octaves reaches a kernel, or one of two is said to be of one: `over_w`; when one does some of
-// whose runs are by subspans: `WORTH_SUBSPANS` and one more in `Within::for_kernel`, or `narrower_than` without the chord.
+// Red when a triangle of more than two octaves reaches a kernel, or one of two is said to be of one: `over_w` and `in_octaves`; and
+// when one does some of whose runs are by subspans: `WORTH_SUBSPANS` and one more in `Within::for_kernel`, or no question there.
 #[test]
 fn small_triangles_in_perspective_are_divided_by_kernels() {
     let (w, texel) = (1 << 14..3 << 15_i32, -40 << 16..40 << 16_i32);
@@ -181,7 +182,8 @@ fn small_triangles_in_perspective_are_divided_by_kernels() {
         fn both(corners: &[Vertex; 3], correction: impl Correction, rows: i32) -> Result<(), String> {
             let shader = Textured::new(&TEST_CARD, correction);
             let expected = divided_by::<Spans>(corners, &shader, rows);
-            (DIVIDED.set(0), TWICE.set(0));
+            DIVIDED.set(0);
+            TWICE.set(0);
             let got = divided_by::<SpansBy<ByHand>>(corners, &shader, rows);
             same("colours", 48, &got.0, &expected.0)?;
             same("depths", 48, &got.1, &expected.1)

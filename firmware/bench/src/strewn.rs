@@ -3,8 +3,8 @@
 use scenes::texture::TEST_CARD;
 use topleft::stages::{FlatPixel, GouraudPixel, Traversal};
 use topleft::{
-    Affine, Attribute, Coord, Cull, Depth16, DepthCode, DrawError, DrawList, Length, NoDepth, PerPixel, Point,
-    ProjectedVertex, Textured, Within,
+    Affine, Attribute, Coord, Cull, Depth16, DepthCode, DrawError, DrawList, Length, NoDepth, PerPixel,
+    Point, ProjectedVertex, Textured, Within,
 };
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
