@@ -69,6 +69,12 @@ static PIXEL: [u32; 64] = {
     table
 };
 
+/// The lines themselves, for code that reads them as [`pixel`] does.
+#[inline(always)]
+pub(crate) const fn lines() -> &'static [u32; 64] {
+    &PIXEL
+}
+
 /// `2^16 / (1 + x 2^-32)`, in [2^15, 2^16), from the 32 bits that follow the leading one of a number: the table in one
 /// word, and linear interpolation rounded down.
 ///

@@ -10,7 +10,8 @@ use super::Span;
 use super::edge::ShortEdge;
 use super::trapezoids::Trapezoids;
 use crate::gradients::Plane;
-use crate::math::format::{Attribute, DepthCode};
+use crate::math::format::{Attribute, DepthCode, SUBPIXEL_BITS};
+use crate::math::recip;
 use crate::setup::Setup;
 use crate::texture::Texture;
 
@@ -68,6 +69,7 @@ pub trait Kernel {
 /// The sides of a triangle whose edges are short, and the columns that none of them leaves.
 #[derive(Debug)]
 pub struct Sides<'t> {
+    pub(super) setup: &'t Setup,
     pub(super) trapezoids: &'t Trapezoids<ShortEdge>,
     pub(super) columns: &'t Range<i32>,
 }
@@ -83,6 +85,18 @@ impl Sides<'_> {
     #[inline(always)]
     pub(crate) const fn height(&self) -> i32 {
         self.trapezoids.bottom - self.trapezoids.top
+    }
+
+    /// Whether each row has fewer pixels than so many, which are 1 to 32, by its longest chord: that through the middle vertex.
+    ///
+    /// It is the doubled area over the height. As many pixel centres as it has pixels, rounded up, may lie on it.
+    #[inline(always)]
+    pub fn narrower_than(&self, pixels: u8) -> bool {
+        let [a, _, c] = self.setup.points();
+        // Edges are short: all of it is below 2^27.
+        let height = c.y.to_bits() - a.y.to_bits();
+        let area2 = self.setup.area2() as i32;
+        area2.abs() <= ((i32::from(pixels.clamp(1, 32)) - 1) * height) << SUBPIXEL_BITS
     }
 }
 
@@ -108,6 +122,47 @@ pub enum Shade<'a> {
     /// A texture, and column and row of its texel, each rounded down: [`wrap`](Texture::wrap) says what becomes of those
     /// beyond it.
     Affine(Texture<'a>, Plane<[Attribute; 2]>),
+    /// A texture, and what column and row of its texel are divided from at each pixel: as for `Affine`, then.
+    Perspective(Texture<'a>, TexelsOverW),
+}
+
+/// 1/w and texels over w, of a triangle whose pixels take a reciprocal each.
+///
+/// At a pixel that is covered q = 1/w is from 2^30 up to 2^31, and u/w and v/w are from 0 up to 2^31: with x the 30 bits of q
+/// below its highest one, at the top of 32, and r = `2^16 / (1 + x 2^-32)` as [`reciprocals`](Self::reciprocals) has it, the
+/// column is `least[0] + (((u/w >> 15) * r) >> (31 - span_log2))`, and the row likewise: in 32 bits, without a sign.
+///
+/// Where a triangle has [two octaves](Self::one_octave), q may be from 2^29 on: all three are doubled there. And u/w and v/w may be
+/// some steps below 0, which count as 0.
+#[derive(Clone, Copy, Debug)]
+pub struct TexelsOverW {
+    /// 1/w, u/w and v/w in 31 fraction bits, with u and v from 0 to 1 over the texels that the triangle spans.
+    pub over_w: Plane<[i32; 3]>,
+    /// Its least column and row, before wrapping or clamping.
+    pub least: [i32; 2],
+    /// The power of two of texels that it spans on either axis: 0 to 16.
+    pub span_log2: u32,
+    /// Whether 1/w is in [2^30, 2^31) at all pixels; if not, it is in [2^29, 2^31).
+    pub one_octave: bool,
+}
+
+impl TexelsOverW {
+    /// Lines that a reciprocal is read from, one for each 64th of x: where it begins at x = 0 in the high half of a word, and
+    /// how much it falls in a 64th in the low.
+    ///
+    /// ```
+    /// use topleft::stages::TexelsOverW;
+    ///
+    /// let q: u32 = 3 << 29; // 1.5 in 30 fraction bits
+    /// let x = q << 2;
+    /// let line = TexelsOverW::reciprocals()[(x >> 26) as usize];
+    /// let reciprocal = (line - (line & 0xFFFF) * (x >> 10)) >> 16;
+    /// assert_eq!(reciprocal, 43_691); // 2^16 / 1.5
+    /// ```
+    #[inline(always)]
+    pub const fn reciprocals() -> &'static [u32; 64] {
+        recip::lines()
+    }
 }
 
 /// The rows of a triangle, and the cells that they lie in.
@@ -133,7 +188,7 @@ impl<'r> Rows<'r> {
         (colours, shade): (&'r mut [u16], Shade<'r>),
         (depths, tested): (&'r mut [u16], Tested),
     ) -> Option<Self> {
-        let Sides { trapezoids, columns } = *sides;
+        let Sides { trapezoids, columns, .. } = *sides;
         let cells = sides.height().wrapping_mul(width) as usize;
         let tests = match tested {
             Tested::Never => 0,

@@ -25,7 +25,7 @@ mod trapezoids;
 pub use box_walk::BoxWalk;
 pub use by_size::BySize;
 pub use edge::ShortEdge;
-pub use kernel::{Kernel, Rows, Shade, Sides, Tested};
+pub use kernel::{Kernel, Rows, Shade, Sides, Tested, TexelsOverW};
 pub use spans::{Spans, SpansBy};
 pub use trapezoids::Trapezoids;
 

@@ -4,6 +4,7 @@ use crate::attributes::Words;
 use crate::gradients::{Gradients, Plane};
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
+use crate::raster::TexelsOverW;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -37,8 +38,9 @@ const MARGIN: i32 = 1 << 13;
 /// two, and nowhere else.
 const GREATEST: i32 = i32::MAX - MARGIN + 1;
 
-/// The least 1/w of the upper octave that interpolation keeps in it.
+/// The least 1/w of the upper octave that interpolation keeps in it, and of the one below.
 const LEAST_OF_OCTAVE: i32 = (1 << 30) + MARGIN;
+const LEAST_OF_TWO: i32 = (1 << 29) + MARGIN;
 
 impl Words for OverW {
     const WORDS: usize = 3;
@@ -109,6 +111,8 @@ pub struct TexelBox {
     pub(super) span_log2: u32,
     /// Whether at all pixels 1/w is in [2^30, 2^31), and u/w and v/w are in [0, 2^31).
     pub(super) octave: bool,
+    /// Whether at all pixels 1/w is in [2^29, 2^31).
+    pub(super) two_octaves: bool,
 }
 
 impl TexelBox {
@@ -131,7 +135,7 @@ impl TexelBox {
         let zeros = if product::NARROW { recip::normalising(most, 12) } else { most.leading_zeros() };
         let span_log2 = 16_u32.saturating_sub(zeros);
         let extent = (span >> (span_log2 & 31) >> 1) + 1;
-        (Self { least: [least_u, least_v], span_log2, octave: false }, extent)
+        (Self { least: [least_u, least_v], span_log2, octave: false, two_octaves: false }, extent)
     }
 
     /// Where in the box three texels are: 0 to 1 in 31 fraction bits.
@@ -154,19 +158,29 @@ impl TexelBox {
     /// the chord is 2^-14, 1/w is least, and half a step of its reciprocal 2^-17.
     #[inline]
     pub(super) fn over_w(self, [a, b, c]: [[u32; 2]; 3], [qa, qb, qc]: [i32; 3]) -> (Self, [OverW; 3]) {
-        let octave = qa.min(qb).min(qc) >= LEAST_OF_OCTAVE;
+        let least = qa.min(qb).min(qc);
+        let (octave, two_octaves) = (least >= LEAST_OF_OCTAVE, least >= LEAST_OF_TWO);
         let least = if octave { MARGIN } else { 0 };
         let vertex = |[u, v]: [u32; 2], q: i32| {
             let over_w = |part: u32| ((product::unsigned(part, q.unsigned_abs()) >> 31) as i32).max(least);
             OverW { q, texel: [over_w(u), over_w(v)] }
         };
-        (Self { octave, ..self }, [vertex(a, qa), vertex(b, qb), vertex(c, qc)])
+        (Self { octave, two_octaves, ..self }, [vertex(a, qa), vertex(b, qb), vertex(c, qc)])
     }
 
     /// Three vertices' 1/w in one power of two, the box, and all of it over w.
     pub(super) fn of(texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> (Self, [OverW; 3]) {
         let texel_box = Self::new(texels);
         texel_box.over_w(texel_box.parts(texels), aligned(inverses))
+    }
+
+    /// What a kernel divides, where the triangle is in one or two octaves.
+    #[inline(always)]
+    pub(super) fn in_octaves(&self, plane: Plane<OverW>) -> Option<TexelsOverW> {
+        let Self { least, span_log2, octave, two_octaves } = *self;
+        let words = |OverW { q, texel: [u, v] }| [q, u, v];
+        let over_w = Plane { start: words(plane.start), dx: words(plane.dx), dy: words(plane.dy) };
+        if two_octaves { Some(TexelsOverW { over_w, least, span_log2, one_octave: octave }) } else { None }
     }
 
     /// The texel at a pixel. The shift that normalises 1/w is sought from `shift`: 1 or more.
@@ -224,7 +238,7 @@ mod tests {
                 [LEAST_OF_OCTAVE, LEAST_OF_OCTAVE, LEAST_OF_OCTAVE + below(GREATEST - LEAST_OF_OCTAVE)];
             let texel_box = TexelBox::new(texels);
             let (texel_box, over_w) = texel_box.over_w(texel_box.parts(texels), inverses);
-            assert!(texel_box.octave);
+            assert!(texel_box.octave && texel_box.two_octaves);
             let plane = OverW::plane(&setup.gradients(), order.map(|vertex| over_w[vertex]));
             let [x, y] = setup.anchor();
             for step in 0..=steps {
@@ -237,6 +251,9 @@ mod tests {
         let inverses = [LEAST_OF_OCTAVE - 1, GREATEST, GREATEST];
         let texels = [[Attribute::ZERO; 2]; 3];
         let texel_box = TexelBox::new(texels);
-        assert!(!texel_box.over_w(texel_box.parts(texels), inverses).0.octave);
+        let (two, _) = texel_box.over_w(texel_box.parts(texels), inverses);
+        let inverses = [LEAST_OF_TWO - 1, GREATEST, GREATEST];
+        let (more, _) = texel_box.over_w(texel_box.parts(texels), inverses);
+        assert!(!two.octave && two.two_octaves && !more.octave && !more.two_octaves);
     }
 }

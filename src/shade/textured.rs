@@ -12,7 +12,7 @@ use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
-use crate::raster::Shade;
+use crate::raster::{Shade, Sides};
 use crate::run::Run;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
@@ -159,11 +159,13 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     #[inline(always)]
     fn for_kernel<'c>(
         &self,
-        _: &C::Triangle,
+        triangle: &C::Triangle,
         varying: Plane<C::Varying>,
+        sides: &Sides<'_>,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
-        Some((P::words(colours)?, Shade::Affine(self.texture, C::linear(varying)?)))
+        let Self { texture, correction } = *self;
+        Some((P::words(colours)?, correction.for_kernel(texture, triangle, varying, sides)?))
     }
 }
 

@@ -4,14 +4,25 @@ use std::cell::Cell;
 use std::convert::Infallible;
 use std::ops::Range;
 
+use embedded_graphics::geometry::Size;
+use proptest::prelude::*;
+use scenes::texture::TEST_CARD;
 use topleft::stages::{
-    DrawSpan, FlatPixel, Kernel, Rows, Setup, Shade, ShortEdge, Snapped, Span, Tested, Trapezoids, Traversal,
-    Window,
+    Correction, DrawSpan, FlatPixel, Kernel, Plane, Rows, Setup, Shade, ShortEdge, Snapped, Span, Tested,
+    TexelsOverW, Trapezoids, Traversal, Window,
 };
-use topleft::{Coord, Cull, ListStorage, NoDepth, ProjectedVertex, Spans, SpansBy, Strip, Wrap, point};
+use topleft::{
+    Attribute, Coord, Cull, Depth16, DepthCode, Length, ListStorage, NoDepth, PerPixel, Point,
+    ProjectedVertex, Spans, SpansBy, Strip, Textured, Within, Wrap, point,
+};
+
+use crate::support::{check, same};
 
 thread_local! {
     static DRAWN: Cell<u64> = const { Cell::new(0) };
+    /// Those of them that took a reciprocal, and of these the ones in a lower octave.
+    static DIVIDED: Cell<u64> = const { Cell::new(0) };
+    static TWICE: Cell<u64> = const { Cell::new(0) };
     static SIDES: Cell<u64> = const { Cell::new(0) };
 }
 
@@ -30,7 +41,9 @@ pub(crate) enum ByHand {}
 impl Kernel for ByHand {
     fn draw(rows: Rows<'_>) -> bool {
         let (shade, tested, width) = (rows.shade(), rows.tested(), rows.width());
-        if matches!(shade, Shade::Affine(texture, _) if texture.wrap() == Wrap::Clamp) {
+        if let Shade::Affine(texture, _) | Shade::Perspective(texture, _) = shade
+            && texture.wrap() == Wrap::Clamp
+        {
             return false;
         }
         let mut spans = Vec::new();
@@ -58,6 +71,11 @@ impl Kernel for ByHand {
                         let [u, v] = plane.at(x, y).map(|texel| texel.to_bits() >> 16);
                         texture.texel(u, v)
                     }
+                    Shade::Perspective(texture, texels) => {
+                        DIVIDED.set(DIVIDED.get() + 1);
+                        let [u, v] = divided(&texels, x, y);
+                        texture.texel(u, v)
+                    }
                 };
                 DRAWN.set(DRAWN.get() + 1);
             }
@@ -83,6 +101,30 @@ impl Kernel for ByHand {
     }
 }
 
+/// The column and row of a pixel's texel, as `TexelsOverW` says.
+fn divided(texels: &TexelsOverW, x: i32, y: i32) -> [i32; 2] {
+    let Plane { start, dx, dy } = texels.over_w;
+    let at = |i: usize| start[i].wrapping_add(dx[i].wrapping_mul(x)).wrapping_add(dy[i].wrapping_mul(y));
+    let [mut q, mut u, mut v] = [0, 1, 2].map(at);
+    // What is promised to code that shifts without a sign.
+    if texels.one_octave {
+        assert!(q >= 1 << 30 && u >= 0 && v >= 0, "{q:#x} {u:#x} {v:#x}");
+    } else {
+        assert!(q >= 1 << 29 && u > -(1 << 13) && v > -(1 << 13), "{q:#x} {u:#x} {v:#x}");
+        (u, v) = (u.max(0), v.max(0));
+    }
+    if q < 1 << 30 {
+        (q, u, v) = (q << 1, u << 1, v << 1);
+        TWICE.set(TWICE.get() + 1);
+    }
+    let below = q.cast_unsigned() << 2;
+    let line = TexelsOverW::reciprocals()[(below >> 26) as usize];
+    let reciprocal = (line - (line & 0xFFFF) * (below >> 10)) >> 16;
+    let part = |c: i32| ((c.cast_unsigned() >> 15) * reciprocal) >> (31 - texels.span_log2);
+    let [least_u, least_v] = texels.least;
+    [least_u + part(u).cast_signed(), least_v + part(v).cast_signed()]
+}
+
 /// Spans of a window that no strip here has.
 enum Between<const START: i32, const END: i32> {}
 
@@ -103,7 +145,7 @@ fn row<T: Traversal>() -> (u64, Vec<u16>) {
         ProjectedVertex::new(point(x - 8.0 + 10.0 * f32::from(i / 3), y), ())
     };
     let faces: [[u16; 3]; 5] = std::array::from_fn(|i| [0, 1, 2].map(|corner| 3 * i as u16 + corner));
-    let size = embedded_graphics::geometry::Size::new(40, 16);
+    let size = Size::new(40, 16);
     let (white, shader) = ([[255; 3]; 5], FlatPixel);
     list.draw_projected(size, (0..15).map(corner), &faces, &white, &shader).expect("it is long enough");
     DRAWN.set(0);
@@ -154,4 +196,68 @@ fn kernels_find_the_sides_of_small_triangles_and_of_no_others() {
     assert_eq!([8191, 8192].map(|x| asked([[0, 0], [x, 300], [0, 2000]])), [1, 0]);
     assert_eq!([8191, 8192].map(|y| asked([[0, 0], [2000, 300], [0, y]])), [1, 0]);
     assert_eq!([0, -1].map(|x| asked([[x, 0], [2000, 300], [0, 2000]])), [1, 0]);
+}
+
+/// Draws a triangle that is up to 40 px wide and 32 px high, in strips of so many rows.
+fn divided_by<T: Traversal>(
+    corners: &[Vertex; 3],
+    shader: &Textured<'_, impl Correction>,
+    rows: i32,
+) -> (Vec<u16>, Vec<u16>) {
+    let (mut storage, size) = (ListStorage::<24, 1>::new(), Size::new(48, 36));
+    let mut list = storage.list_with_traversal::<u16, Depth16, T>();
+    list.set_cull(Cull::None);
+    let vertices = corners.map(|((x, y), w, texel, depth)| {
+        let at = Point::new(Coord::from_bits(x), Coord::from_bits(y));
+        ProjectedVertex::new(at, texel.map(Attribute::from_bits))
+            .with_w(Length::from_bits(w))
+            .with_depth(DepthCode::from_bits(depth))
+    });
+    list.draw_projected(size, vertices, &[[0, 1, 2]], &[], shader).expect("it is long enough");
+    let (mut colours, mut depths) = (vec![0; 48 * 36], vec![0; 48 * 36]);
+    // Something is before the triangle in some places.
+    depths.iter_mut().step_by(5).for_each(|depth| *depth = 0x8000);
+    for top in (0..36).step_by(rows as usize) {
+        let cells = 48 * top as usize..48 * (top + rows) as usize;
+        let strip = Strip::new(48, &mut colours[cells.clone()]).expect("whole rows");
+        list.render(top..top + rows, &mut strip.with_depth(&mut depths[cells]).expect("as many"));
+    }
+    (colours, depths)
+}
+
+/// A place in 1/256 px, w in steps of a `Length`, a texel in steps of an `Attribute`, and a depth.
+type Vertex = ((i32, i32), i32, [i32; 2], u32);
+
+// Red when a triangle of more than two octaves reaches a kernel, or one of two is said to be of one: `over_w` and `in_octaves`; and
+// when one does some of whose runs are by subspans: `WORTH_SUBSPANS` and one more in `Within::for_kernel`, or no question there.
+#[test]
+fn small_triangles_in_perspective_are_divided_by_kernels() {
+    let (w, texel) = (1 << 14..3 << 15_i32, -40 << 16..40 << 16_i32);
+    let place = (2 << 8..42 << 8_i32, 2 << 8..34 << 8_i32);
+    let vertex = (place, w, [texel.clone(), texel], 0..u32::MAX);
+    let rows = prop_oneof![Just(36), Just(9), Just(1)];
+    let counts = Cell::new([[0; 2]; 3]);
+    check(20_000, &([vertex.clone(), vertex.clone(), vertex], rows, 0..3_usize), |(corners, rows, way)| {
+        fn both(corners: &[Vertex; 3], correction: impl Correction, rows: i32) -> Result<(), String> {
+            let shader = Textured::new(&TEST_CARD, correction);
+            let expected = divided_by::<Spans>(corners, &shader, rows);
+            DIVIDED.set(0);
+            TWICE.set(0);
+            let got = divided_by::<SpansBy<ByHand>>(corners, &shader, rows);
+            same("colours", 48, &got.0, &expected.0)?;
+            same("depths", 48, &got.1, &expected.1)
+        }
+        match way {
+            0 => both(&corners, PerPixel, rows),
+            1 => both(&corners, Within::default(), rows),
+            _ => both(&corners, Within::texels(Attribute::ONE), rows),
+        }?;
+        let mut seen = counts.get();
+        let [divided, twice] = &mut seen[way];
+        (*divided, *twice) = (*divided + DIVIDED.get(), *twice + TWICE.get());
+        counts.set(seen);
+        Ok(())
+    });
+    println!("{:?} pixels divided, of which twice as high", counts.get());
+    assert!(counts.get().as_flattened().iter().all(|&count| count > 10_000), "{:?}", counts.get());
 }

@@ -34,6 +34,7 @@ fn portable(bench: &mut Bench<'_>, buffers: &mut Buffers<'_>) {
     bench.by::<Spans, _>("affine-portable", &AffineGrid, buffers);
     bench.by::<Spans, _>("affine-portable+depth", &AffineDepthGrid, buffers);
     bench.by::<Spans, _>("perspective-within-1/4-portable+depth", &WithinDepthGrid, buffers);
+    bench.by::<Spans, _>("perspective-pixel-portable+depth", &PerspectiveDepthGrid, buffers);
 }
 
 const SCENE: &str = "grid240";

@@ -3,8 +3,8 @@
 use scenes::texture::TEST_CARD;
 use topleft::stages::{FlatPixel, GouraudPixel, Traversal};
 use topleft::{
-    Affine, Attribute, Coord, Cull, Depth16, DepthCode, DrawError, DrawList, NoDepth, Point, ProjectedVertex,
-    Textured,
+    Affine, Attribute, Coord, Cull, Depth16, DepthCode, DrawError, DrawList, Length, NoDepth, PerPixel,
+    Point, ProjectedVertex, Textured, Within,
 };
 
 use crate::measure::{Bench, Buffers, Case, PANEL};
@@ -50,6 +50,11 @@ const fn hash(number: u32) -> u32 {
     (bits ^ bits >> 15).wrapping_mul(0x85EB_CA77)
 }
 
+/// From 1 to 3: most triangles have one or two octaves of it, and some have three.
+fn distance(vertex: u32) -> Length {
+    Length::from_bits(((1 << 16) + (hash(vertex + 30_000) >> 15)).cast_signed())
+}
+
 /// Triangle after triangle up to 1, 2, 4 .. 64 px wide and high, and back to 1, at any depths; and needles, of which one shows by a
 /// step of green whether channels are known at column 0.
 fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> {
@@ -68,7 +73,7 @@ fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> 
         Point::new(place(middle, corner), place(middle >> 16, corner >> 16))
     };
     let depth = DepthCode::from_bits(hash(vertex + 20_000));
-    ProjectedVertex::new(at, attributes(vertex)).with_depth(depth)
+    ProjectedVertex::new(at, attributes(vertex)).with_depth(depth).with_w(distance(vertex))
 }
 
 /// A case for each way of shading.
@@ -113,4 +118,7 @@ ways! {
     GouraudDepthWay, "gouraud+depth", Depth16, GouraudPixel, channels;
     AffineWay, "affine", NoDepth, Textured::new(&TEST_CARD, Affine), texel;
     AffineDepthWay, "affine+depth", Depth16, Textured::new(&TEST_CARD, Affine), texel;
+    PerspectiveWay, "perspective-pixel", NoDepth, Textured::new(&TEST_CARD, PerPixel), texel;
+    PerspectiveDepthWay, "perspective-pixel+depth", Depth16, Textured::new(&TEST_CARD, PerPixel), texel;
+    WithinDepthWay, "perspective-within-1/4+depth", Depth16, Textured::new(&TEST_CARD, Within::default()), texel;
 }

@@ -6,7 +6,7 @@ use core::arch::naked_asm;
 use topleft::stages::{Plane, Rows, ShortEdge, Trapezoids};
 use topleft::{Attribute, DepthCode, Texture};
 
-use crate::walk::{Walk, ends, enter, keep, restore, turn};
+use crate::walk::{Walk, ends, enter, first_run, hidden, keep, restore, turn, visible};
 
 type Texels = Plane<[Attribute; 2]>;
 
@@ -190,8 +190,6 @@ unsafe extern "C" fn affine(_: &Trapezoids<ShortEdge>, row: *mut u16, stride: us
 }
 
 /// About 100 cycles a row, and 25 a pixel that is visible: a run of them is found first and then painted.
-///
-/// On the stack from 60 on: the row's end, the run's start, what is left of the row behind it, and depth there.
 #[unsafe(naked)]
 unsafe extern "C" fn affine_tested(_: &Trapezoids<ShortEdge>, row: *mut u16, stride: usize, frame: &Frame) {
     naked_asm!(
@@ -202,71 +200,17 @@ unsafe extern "C" fn affine_tested(_: &Trapezoids<ShortEdge>, row: *mut u16, str
          mov r1, lr
          asrs r1, r1, #20
          subs r1, r1, r0
-         ble 7f
-         lsls r3, r0, #1
-         add r3, r10
-         lsls r1, r1, #1
-         adds r1, r1, r3
-         ldr r4, [sp, #52]
-         muls r0, r4, r0
-         ldr r2, [sp, #44]
-         adds r2, r2, r0
-         ldr r0, [sp, #56]
-         adds r0, r0, r1
-         str r1, [sp, #60]",
-        // Visible, from r3 on: r0 is where the row's depths end, r1 bytes from there, below 0; r2, r4: depth and step.
-        "4:
-         str r3, [sp, #64]
-         subs r1, r3, r1
-         2:
-         ldrh r3, [r0, r1]
-         lsrs r5, r2, #16
-         cmp r3, r5
-         bhs 3f
-         strh r5, [r0, r1]
-         adds r2, r2, r4
-         adds r1, r1, #2
-         bne 2b
-         3:
-         str r1, [sp, #68]
-         ldr r3, [sp, #60]
-         adds r3, r3, r1
-         mov r11, r3
-         ldr r0, [sp, #64]
-         cmp r3, r0
-         beq 5f
-         str r2, [sp, #72]
-         mov r2, r10
+         ble 7f",
+        first_run!(row: "r10", depth: 44, at: 52),
+        visible!(52),
+        "mov r2, r10
          subs r3, r0, r2
          lsrs r3, r3, #1
          add r7, sp, #32
          ldmia r7, {{r5-r7}}",
         texels!(),
-        "ldr r1, [sp, #68]
-         cmp r1, #0
-         beq 7f
-         ldr r2, [sp, #72]
-         ldr r4, [sp, #52]",
-        // Hidden, to the end or to where a run starts again.
-        "5:
-         ldr r0, [sp, #60]
-         ldr r3, [sp, #56]
-         adds r0, r0, r3
-         2:
-         ldrh r3, [r0, r1]
-         lsrs r5, r2, #16
-         cmp r3, r5
-         blo 3f
-         adds r2, r2, r4
-         adds r1, r1, #2
-         bne 2b
-         b 7f
-         3:
-         mov r3, r1
-         ldr r1, [sp, #60]
-         adds r3, r3, r1
-         b 4b
-         7:
+        hidden!(52),
+        "7:
          ldr r0, [sp, #44]
          ldr r1, [sp, #48]
          adds r0, r0, r1

@@ -1,12 +1,14 @@
 //! topleft's small triangles in the Thumb instructions of a Cortex-M: the same bytes, faster.
 //!
 //! A Cortex-M0+ has eight registers that all of its instructions reach, and a compiler keeps a row of pixels in no fewer than
-//! ten. So rows are written by hand here, for what most scenes are made of: flat, Gouraud and affine triangles less than 32 px
-//! wide and high, in strips of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
+//! ten. So rows are written by hand here, for what most scenes are made of: flat, Gouraud and affine triangles, and those with a
+//! reciprocal a pixel ([`PerPixel`](topleft::PerPixel), and [`Within`](topleft::Within) where it takes no subspans), less than
+//! 32 px wide and high, in strips of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
 //!
-//! All else is drawn by the library itself: textures that end ([`Wrap::Clamp`](topleft::Wrap)), are in perspective or under
-//! light; triangles that reach over the left or right edge of the strip; and all of them on chips without these instructions.
-//! Gouraud without depth gains on cores only that have no products of 64 bits, such as a Cortex-M0+.
+//! All else is drawn by the library itself: textures that end ([`Wrap::Clamp`](topleft::Wrap)) or are under light; perspective by
+//! any other method, over more than two octaves of 1/w, or `Within` an error in rows of 18 pixels or more; triangles that reach
+//! over the left or right edge of the strip; and all of them on chips without these instructions. Gouraud without depth gains on
+//! cores only that have no products of 64 bits, such as a Cortex-M0+.
 //!
 //! Sides of small triangles are found here too, whatever is drawn between them.
 //!
@@ -44,6 +46,8 @@ mod flat;
 #[cfg(thumb)]
 mod gouraud;
 #[cfg(thumb)]
+mod perspective;
+#[cfg(thumb)]
 mod walk;
 
 /// [`topleft::Spans`], with small triangles in Thumb instructions.
@@ -79,10 +83,20 @@ impl Kernel for Thumb {
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
                 gouraud::draw_tested(rows, depth, &channels);
             }
-            (Shade::Affine(texture, _), _) if texture.wrap() != Wrap::Repeat => return false,
+            (Shade::Affine(texture, _) | Shade::Perspective(texture, _), _)
+                if texture.wrap() != Wrap::Repeat =>
+            {
+                return false;
+            }
             (Shade::Affine(texture, texels), Tested::Never) => affine::draw(rows, &texture, &texels),
             (Shade::Affine(texture, texels), Tested::Depth16(depth)) => {
                 affine::draw_tested(rows, depth, &texture, &texels);
+            }
+            (Shade::Perspective(texture, texels), Tested::Never) => {
+                perspective::draw(rows, &texture, &texels);
+            }
+            (Shade::Perspective(texture, texels), Tested::Depth16(depth)) => {
+                perspective::draw_tested(rows, depth, &texture, &texels);
             }
         }
         true

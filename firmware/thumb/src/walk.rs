@@ -129,4 +129,118 @@ macro_rules! turn {
     };
 }
 
-pub(crate) use {ends, enter, keep, restore, turn};
+/// The first run of a row that is tested: from column r0 on, r1 columns. `depth` is where on the stack depth at column 0 is, and
+/// from `at` on it has depth from pixel to pixel and the bytes to depths; then the row's end, a run's start, what is left of the
+/// row behind it, and depth there.
+macro_rules! first_run {
+    (row: $row:literal, depth: $depth:literal, at: $at:literal) => {
+        concat!(
+            "lsls r3, r0, #1
+             add r3, ",
+            $row,
+            "
+             lsls r1, r1, #1
+             adds r1, r1, r3
+             ldr r4, [sp, #",
+            $at,
+            "]
+             muls r0, r4, r0
+             ldr r2, [sp, #",
+            $depth,
+            "]
+             adds r2, r2, r0
+             ldr r0, [sp, #",
+            $at,
+            " + 4]
+             adds r0, r0, r1
+             str r1, [sp, #",
+            $at,
+            " + 8]"
+        )
+    };
+}
+
+/// Finds a run that is visible, from r3 on, and sets its depths: r0 is where the row's depths end, r1 where its cells do, r2 and
+/// r4 are depth and its step. Then the run is from r0 to r11, at least one pixel, or the next that are hidden follow.
+macro_rules! visible {
+    ($at:literal) => {
+        concat!(
+            "4:
+             str r3, [sp, #",
+            $at,
+            " + 12]
+             subs r1, r3, r1
+             2:
+             ldrh r3, [r0, r1]
+             lsrs r5, r2, #16
+             cmp r3, r5
+             bhs 3f
+             strh r5, [r0, r1]
+             adds r2, r2, r4
+             adds r1, r1, #2
+             bne 2b
+             3:
+             str r1, [sp, #",
+            $at,
+            " + 16]
+             ldr r3, [sp, #",
+            $at,
+            " + 8]
+             adds r3, r3, r1
+             mov r11, r3
+             ldr r0, [sp, #",
+            $at,
+            " + 12]
+             cmp r3, r0
+             beq 5f
+             str r2, [sp, #",
+            $at,
+            " + 20]"
+        )
+    };
+}
+
+/// Passes over what is hidden behind a run: to the row's end, at 7, or to where a run starts again.
+macro_rules! hidden {
+    ($at:literal) => {
+        concat!(
+            "ldr r1, [sp, #",
+            $at,
+            " + 16]
+             cmp r1, #0
+             beq 7f
+             ldr r2, [sp, #",
+            $at,
+            " + 20]
+             ldr r4, [sp, #",
+            $at,
+            "]
+             5:
+             ldr r0, [sp, #",
+            $at,
+            " + 8]
+             ldr r3, [sp, #",
+            $at,
+            " + 4]
+             adds r0, r0, r3
+             2:
+             ldrh r3, [r0, r1]
+             lsrs r5, r2, #16
+             cmp r3, r5
+             blo 3f
+             adds r2, r2, r4
+             adds r1, r1, #2
+             bne 2b
+             b 7f
+             3:
+             mov r3, r1
+             ldr r1, [sp, #",
+            $at,
+            " + 8]
+             adds r3, r3, r1
+             b 4b"
+        )
+    };
+}
+
+pub(crate) use {ends, enter, first_run, hidden, keep, restore, turn, visible};

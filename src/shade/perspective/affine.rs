@@ -3,6 +3,8 @@
 use super::{Correction, Sampler};
 use crate::gradients::Plane;
 use crate::math::format::Attribute;
+use crate::raster::{Shade, Sides};
+use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 
 /// No correction: texels are linear on the screen.
@@ -49,7 +51,13 @@ impl Correction for Affine {
     }
 
     #[inline(always)]
-    fn linear(texels: Plane<[Attribute; 2]>) -> Option<Plane<[Attribute; 2]>> {
-        Some(texels)
+    fn for_kernel<'a>(
+        self,
+        texture: Texture<'a>,
+        (): &(),
+        texels: Plane<[Attribute; 2]>,
+        _: &Sides<'_>,
+    ) -> Option<Shade<'a>> {
+        Some(Shade::Affine(texture, texels))
     }
 }

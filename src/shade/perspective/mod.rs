@@ -7,6 +7,8 @@
 use super::sampler::Sampler;
 use crate::gradients::Plane;
 use crate::math::format::Attribute;
+use crate::raster::{Shade, Sides};
+use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -70,10 +72,17 @@ pub trait Correction: Copy {
         sampler: &mut impl Sampler<T>,
     );
 
-    /// The plane of texels, where texels are linear on the screen: for a [`Kernel`](crate::stages::Kernel).
+    /// How a [`Kernel`](crate::stages::Kernel) finds the texels of a triangle, from column 0 of its first row on: nothing where
+    /// it may not, or the method has more to it than kernels know.
     #[inline(always)]
-    fn linear(varying: Plane<Self::Varying>) -> Option<Plane<[Attribute; 2]>> {
-        let _ = varying;
+    fn for_kernel<'a>(
+        self,
+        texture: Texture<'a>,
+        triangle: &Self::Triangle,
+        varying: Plane<Self::Varying>,
+        sides: &Sides<'_>,
+    ) -> Option<Shade<'a>> {
+        let _ = (texture, triangle, varying, sides);
         None
     }
 }

@@ -3,8 +3,11 @@
 use super::super::over_w::{OverW, TexelBox};
 use super::super::sampler::Octave;
 use super::{Correction, Sampler};
+use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::math::recip;
+use crate::raster::{Shade, Sides};
+use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -50,6 +53,17 @@ impl Correction for PerPixel {
         sampler: &mut impl Sampler<T>,
     ) {
         reciprocals(triangle, start, step, run, recip::pixels(), sampler);
+    }
+
+    #[inline(always)]
+    fn for_kernel<'a>(
+        self,
+        texture: Texture<'a>,
+        triangle: &TexelBox,
+        varying: Plane<OverW>,
+        _: &Sides<'_>,
+    ) -> Option<Shade<'a>> {
+        Some(Shade::Perspective(texture, triangle.in_octaves(varying)?))
     }
 }
 

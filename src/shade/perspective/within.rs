@@ -4,8 +4,11 @@ use super::super::over_w::{Exact, OverW, TexelBox, aligned};
 use super::per_pixel::reciprocals;
 use super::subspans::{differences, subspans};
 use super::{Affine, Correction, DrawTexels, PerPixel, Sampler};
+use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
+use crate::raster::{Shade, Sides};
+use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
 
@@ -139,16 +142,29 @@ impl Correction for Within {
         sampler: &mut impl Sampler<T>,
     ) {
         let Bent { texel_box, between } = triangle;
-        let long = run.len() >= WORTH_SUBSPANS;
+        let long = run.len() >= usize::from(WORTH_SUBSPANS);
         if !(long && by_subspans(texel_box, *between, &start, step, run, sampler)) {
             reciprocals(texel_box, start, step, run, recip::pixels(), sampler);
         }
+    }
+
+    /// None of whose runs might be by subspans.
+    #[inline(always)]
+    fn for_kernel<'a>(
+        self,
+        texture: Texture<'a>,
+        triangle: &Bent,
+        varying: Plane<OverW>,
+        sides: &Sides<'_>,
+    ) -> Option<Shade<'a>> {
+        let texels = triangle.texel_box.in_octaves(varying)?;
+        if sides.narrower_than(WORTH_SUBSPANS) { Some(Shade::Perspective(texture, texels)) } else { None }
     }
 }
 
 /// Pixels of a run from which on subspans save more than it takes to choose and to start them: on a Cortex-M0+ some 600
 /// cycles, and 34 a pixel.
-const WORTH_SUBSPANS: usize = 18;
+const WORTH_SUBSPANS: u8 = 18;
 
 /// A run of [`WORTH_SUBSPANS`] pixels or more, whose middle may be off by `between`: whether it could be shown by subspans.
 #[inline(never)]
