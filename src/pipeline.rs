@@ -69,11 +69,11 @@ impl<'a, P, S: PixelShader<'a, P>> Shading<'a, P, S> {
     #[inline(always)]
     pub(crate) fn for_kernel<'c>(
         &self,
-        sides: &Sides<'_>,
+        row: i32,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
         let Self { shader, triangle, varying } = self;
-        shader.for_kernel(triangle, varying.starting_in_row(sides.top()), sides, colours)
+        shader.for_kernel(triangle, varying.starting_in_row(row), colours)
     }
 
     /// Colours a run that starts in a column of a row.

@@ -10,7 +10,7 @@ use super::Span;
 use super::edge::ShortEdge;
 use super::trapezoids::Trapezoids;
 use crate::gradients::Plane;
-use crate::math::format::{Attribute, DepthCode, SUBPIXEL_BITS};
+use crate::math::format::{Attribute, DepthCode};
 use crate::math::recip;
 use crate::setup::Setup;
 use crate::texture::Texture;
@@ -69,7 +69,6 @@ pub trait Kernel {
 /// The sides of a triangle whose edges are short, and the columns that none of them leaves.
 #[derive(Debug)]
 pub struct Sides<'t> {
-    pub(super) setup: &'t Setup,
     pub(super) trapezoids: &'t Trapezoids<ShortEdge>,
     pub(super) columns: &'t Range<i32>,
 }
@@ -85,18 +84,6 @@ impl Sides<'_> {
     #[inline(always)]
     pub(crate) const fn height(&self) -> i32 {
         self.trapezoids.bottom - self.trapezoids.top
-    }
-
-    /// Whether each row has fewer pixels than so many, which are 1 to 32, by its longest chord: that through the middle vertex.
-    ///
-    /// It is the doubled area over the height. As many pixel centres as it has pixels, rounded up, may lie on it.
-    #[inline(always)]
-    pub fn narrower_than(&self, pixels: u8) -> bool {
-        let [a, _, c] = self.setup.points();
-        // Edges are short: all of it is below 2^27.
-        let height = c.y.to_bits() - a.y.to_bits();
-        let area2 = self.setup.area2() as i32;
-        area2.abs() <= ((i32::from(pixels.clamp(1, 32)) - 1) * height) << SUBPIXEL_BITS
     }
 }
 
@@ -188,7 +175,7 @@ impl<'r> Rows<'r> {
         (colours, shade): (&'r mut [u16], Shade<'r>),
         (depths, tested): (&'r mut [u16], Tested),
     ) -> Option<Self> {
-        let Sides { trapezoids, columns, .. } = *sides;
+        let Sides { trapezoids, columns } = *sides;
         let cells = sides.height().wrapping_mul(width) as usize;
         let tests = match tested {
             Tested::Never => 0,

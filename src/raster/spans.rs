@@ -43,7 +43,7 @@ impl<K: Kernel> Traversal for SpansBy<K> {
             return if rows.is_empty() { Ok(()) } else { long(setup, rows).rows(&window.columns, target) };
         }
         let trapezoids = &K::trapezoids(setup, top..bottom);
-        let sides = kernel::Sides { setup, trapezoids, columns: &window.columns };
+        let sides = kernel::Sides { trapezoids, columns: &window.columns };
         if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
     }
 }

@@ -7,7 +7,7 @@ use crate::gradients::Plane;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
@@ -94,7 +94,6 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
         &self,
         colour: &P,
         _: Plane<()>,
-        _: &Sides<'_>,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
         Some((P::words(colours)?, Shade::Flat(P::word(*colour)?)))

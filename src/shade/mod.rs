@@ -9,7 +9,7 @@ use crate::depth::Depth;
 use crate::gradients::Plane;
 use crate::mesh::Mesh;
 use crate::pose::Pose;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
@@ -203,10 +203,9 @@ pub trait PixelShader<'a, P>: Copy {
         &self,
         triangle: &Self::Triangle,
         varying: Plane<Self::Varying>,
-        sides: &Sides<'_>,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
-        let _ = (triangle, varying, sides, colours);
+        let _ = (triangle, varying, colours);
         None
     }
 

@@ -12,7 +12,7 @@ use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::Pixel;
 use crate::pose::Pose;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
@@ -161,11 +161,10 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
         &self,
         triangle: &C::Triangle,
         varying: Plane<C::Varying>,
-        sides: &Sides<'_>,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
         let Self { texture, correction } = *self;
-        Some((P::words(colours)?, correction.for_kernel(texture, triangle, varying, sides)?))
+        Some((P::words(colours)?, correction.for_kernel(texture, triangle, varying)?))
     }
 }
 

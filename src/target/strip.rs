@@ -236,7 +236,7 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
         let first = sides.top().wrapping_mul(*width).wrapping_add(*origin) as usize;
         let length = sides.height().wrapping_mul(*width) as usize;
         let Some((colours, depths)) = D::span(colours, depths, first, length) else { return false };
-        let Some(shaded) = shading.for_kernel(&sides, colours) else { return false };
+        let Some(shaded) = shading.for_kernel(sides.top(), colours) else { return false };
         let depth = depth.starting_in_row(sides.top());
         let Some(tested) = D::for_kernel(depths, depth) else { return false };
         raster::Rows::new(&sides, *width, shaded, tested).is_some_and(K::draw)

@@ -13,7 +13,7 @@ use topleft::stages::{
 };
 use topleft::{
     Attribute, Coord, Cull, Depth16, DepthCode, Length, ListStorage, NoDepth, PerPixel, Point,
-    ProjectedVertex, Spans, SpansBy, Strip, Textured, Within, Wrap, point,
+    ProjectedVertex, Spans, SpansBy, Strip, Texture, Textured, Within, Wrap, point,
 };
 
 use crate::support::{check, same};
@@ -225,11 +225,27 @@ fn divided_by<T: Traversal>(
     (colours, depths)
 }
 
+/// By the library alone and by hand: the same.
+fn both(
+    corners: &[Vertex; 3],
+    texture: &Texture<'_>,
+    correction: impl Correction,
+    rows: i32,
+) -> Result<(), String> {
+    let shader = Textured::new(texture, correction);
+    let expected = divided_by::<Spans>(corners, &shader, rows);
+    DIVIDED.set(0);
+    TWICE.set(0);
+    let got = divided_by::<SpansBy<ByHand>>(corners, &shader, rows);
+    same("colours", 48, &got.0, &expected.0)?;
+    same("depths", 48, &got.1, &expected.1)
+}
+
 /// A place in 1/256 px, w in steps of a `Length`, a texel in steps of an `Attribute`, and a depth.
 type Vertex = ((i32, i32), i32, [i32; 2], u32);
 
 // Red when a triangle of more than two octaves reaches a kernel, or one of two is said to be of one: `over_w` and `in_octaves`; and
-// when one does some of whose runs are by subspans: `WORTH_SUBSPANS` and one more in `Within::for_kernel`, or no question there.
+// when some runs of small triangles are by subspans: `WORTH_SUBSPANS` of 32.
 #[test]
 fn small_triangles_in_perspective_are_divided_by_kernels() {
     let (w, texel) = (1 << 14..3 << 15_i32, -40 << 16..40 << 16_i32);
@@ -238,19 +254,10 @@ fn small_triangles_in_perspective_are_divided_by_kernels() {
     let rows = prop_oneof![Just(36), Just(9), Just(1)];
     let counts = Cell::new([[0; 2]; 3]);
     check(20_000, &([vertex.clone(), vertex.clone(), vertex], rows, 0..3_usize), |(corners, rows, way)| {
-        fn both(corners: &[Vertex; 3], correction: impl Correction, rows: i32) -> Result<(), String> {
-            let shader = Textured::new(&TEST_CARD, correction);
-            let expected = divided_by::<Spans>(corners, &shader, rows);
-            DIVIDED.set(0);
-            TWICE.set(0);
-            let got = divided_by::<SpansBy<ByHand>>(corners, &shader, rows);
-            same("colours", 48, &got.0, &expected.0)?;
-            same("depths", 48, &got.1, &expected.1)
-        }
         match way {
-            0 => both(&corners, PerPixel, rows),
-            1 => both(&corners, Within::default(), rows),
-            _ => both(&corners, Within::texels(Attribute::ONE), rows),
+            0 => both(&corners, &TEST_CARD, PerPixel, rows),
+            1 => both(&corners, &TEST_CARD, Within::default(), rows),
+            _ => both(&corners, &TEST_CARD, Within::texels(Attribute::ONE), rows),
         }?;
         let mut seen = counts.get();
         let [divided, twice] = &mut seen[way];
@@ -258,6 +265,16 @@ fn small_triangles_in_perspective_are_divided_by_kernels() {
         counts.set(seen);
         Ok(())
     });
+    // Of 32 pixels in its first row: none of a small triangle has more.
+    let widest = [
+        ((639, 639), 3 << 14, [0, 0], u32::MAX),
+        ((8830, 639), 1 << 16, [60 << 16, 0], u32::MAX),
+        ((639, 8830), 1 << 16, [0, 60 << 16], u32::MAX),
+    ];
+    let texels: [u16; 64 * 64] = std::array::from_fn(|i| i as u16 + 1);
+    let each = Texture::new(64, 64, &texels).expect("powers of two");
+    both(&widest, &each, Within::texels(Attribute::ONE), 36).expect("the same");
+    assert!(DIVIDED.get() > 500, "{}", DIVIDED.get());
     println!("{:?} pixels divided, of which twice as high", counts.get());
     assert!(counts.get().as_flattened().iter().all(|&count| count > 10_000), "{:?}", counts.get());
 }

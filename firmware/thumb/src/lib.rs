@@ -2,13 +2,13 @@
 //!
 //! A Cortex-M0+ has eight registers that all of its instructions reach, and a compiler keeps a row of pixels in no fewer than
 //! ten. So rows are written by hand here, for what most scenes are made of: flat, Gouraud and affine triangles, and those with a
-//! reciprocal a pixel ([`PerPixel`](topleft::PerPixel), and [`Within`](topleft::Within) where it takes no subspans), less than
-//! 32 px wide and high, in strips of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
+//! reciprocal a pixel ([`PerPixel`](topleft::PerPixel), and [`Within`](topleft::Within)), less than 32 px wide and high, in strips
+//! of `u16` that are at most 2047 px wide, without depth or with [`Depth16`](topleft::Depth16).
 //!
 //! All else is drawn by the library itself: textures that end ([`Wrap::Clamp`](topleft::Wrap)) or are under light; perspective by
-//! any other method, over more than two octaves of 1/w, or `Within` an error in rows of 18 pixels or more; triangles that reach
-//! over the left or right edge of the strip; and all of them on chips without these instructions. Gouraud without depth gains on
-//! cores only that have no products of 64 bits, such as a Cortex-M0+.
+//! any other method, or over more than two octaves of 1/w; triangles that reach over the left or right edge of the strip; and all
+//! of them on chips without these instructions. Gouraud without depth gains on cores only that have no products of 64 bits, such
+//! as a Cortex-M0+.
 //!
 //! Sides of small triangles are found here too, whatever is drawn between them.
 //!

@@ -8,7 +8,7 @@ use crate::math::format::Attribute;
 use crate::mesh::Mesh;
 use crate::pixel::{Pixel, Stepped};
 use crate::pose::Pose;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::run::Run;
 use crate::transform::PerVertexInverse;
 
@@ -118,7 +118,6 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
         &self,
         (): &(),
         channels: Plane<Channels>,
-        _: &Sides<'_>,
         colours: &'c mut [P],
     ) -> Option<(&'c mut [u16], Shade<'a>)> {
         let Plane { start: Channels(start), dx: Channels(dx), dy: Channels(dy) } = channels;

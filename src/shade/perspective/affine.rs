@@ -3,7 +3,7 @@
 use super::{Correction, Sampler};
 use crate::gradients::Plane;
 use crate::math::format::Attribute;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 
@@ -56,7 +56,6 @@ impl Correction for Affine {
         texture: Texture<'a>,
         (): &(),
         texels: Plane<[Attribute; 2]>,
-        _: &Sides<'_>,
     ) -> Option<Shade<'a>> {
         Some(Shade::Affine(texture, texels))
     }

@@ -7,7 +7,7 @@
 use super::sampler::Sampler;
 use crate::gradients::Plane;
 use crate::math::format::Attribute;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
@@ -80,9 +80,8 @@ pub trait Correction: Copy {
         texture: Texture<'a>,
         triangle: &Self::Triangle,
         varying: Plane<Self::Varying>,
-        sides: &Sides<'_>,
     ) -> Option<Shade<'a>> {
-        let _ = (texture, triangle, varying, sides);
+        let _ = (texture, triangle, varying);
         None
     }
 }

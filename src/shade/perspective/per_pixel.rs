@@ -6,7 +6,7 @@ use super::{Correction, Sampler};
 use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::math::recip;
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
@@ -61,7 +61,6 @@ impl Correction for PerPixel {
         texture: Texture<'a>,
         triangle: &TexelBox,
         varying: Plane<OverW>,
-        _: &Sides<'_>,
     ) -> Option<Shade<'a>> {
         Some(Shade::Perspective(texture, triangle.in_octaves(varying)?))
     }

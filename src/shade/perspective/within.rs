@@ -7,7 +7,7 @@ use super::{Affine, Correction, DrawTexels, PerPixel, Sampler};
 use crate::gradients::Plane;
 use crate::math::format::Attribute;
 use crate::math::{product, recip};
-use crate::raster::{Shade, Sides};
+use crate::raster::Shade;
 use crate::texture::Texture;
 use crate::transform::PerVertexInverse;
 use crate::varying::Varying;
@@ -38,7 +38,7 @@ use crate::varying::Varying;
 ///
 /// Along a run of n steps `u'' = -2 C q' / q^3`, and C is the same everywhere: `|C| = d q_1 q_2 / n` for d texels from end to
 /// end. A subspan of N steps is off by at most `N^2 / 8 |u''|`, so by `(N / n)^2 d |q_1 - q_2| q_max / (4 q_min^2)`.
-/// Runs of less than 18 pixels have a reciprocal a pixel: to start subspans costs as much.
+/// Runs of 32 pixels or less have a reciprocal a pixel: to start subspans costs as much.
 ///
 /// ```
 /// use topleft::{Attribute, Texture, Textured, Within};
@@ -142,29 +142,28 @@ impl Correction for Within {
         sampler: &mut impl Sampler<T>,
     ) {
         let Bent { texel_box, between } = triangle;
-        let long = run.len() >= usize::from(WORTH_SUBSPANS);
+        let long = run.len() >= WORTH_SUBSPANS;
         if !(long && by_subspans(texel_box, *between, &start, step, run, sampler)) {
             reciprocals(texel_box, start, step, run, recip::pixels(), sampler);
         }
     }
 
-    /// None of whose runs might be by subspans.
+    /// Kernels draw small triangles only, and none of these has a run of [`WORTH_SUBSPANS`].
     #[inline(always)]
     fn for_kernel<'a>(
         self,
         texture: Texture<'a>,
         triangle: &Bent,
         varying: Plane<OverW>,
-        sides: &Sides<'_>,
     ) -> Option<Shade<'a>> {
         let texels = triangle.texel_box.in_octaves(varying)?;
-        if sides.narrower_than(WORTH_SUBSPANS) { Some(Shade::Perspective(texture, texels)) } else { None }
+        Some(Shade::Perspective(texture, texels))
     }
 }
 
-/// Pixels of a run from which on subspans save more than it takes to choose and to start them: on a Cortex-M0+ some 600
-/// cycles, and 34 a pixel.
-const WORTH_SUBSPANS: u8 = 18;
+/// Pixels of a run from which on subspans are worth to be chosen and started: some 600 cycles on a Cortex-M0+, and 34 a pixel. One
+/// more than small triangles have, whose pixels a chip's own kernel divides in little more than that.
+const WORTH_SUBSPANS: usize = 33;
 
 /// A run of [`WORTH_SUBSPANS`] pixels or more, whose middle may be off by `between`: whether it could be shown by subspans.
 #[inline(never)]
