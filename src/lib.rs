@@ -186,8 +186,8 @@ pub mod stages {
     pub use crate::gradients::{Gradients, Plane};
     pub use crate::pixel::Stepped;
     pub use crate::raster::{
-        DrawSpan, Kernel, Rows, Shade, ShortEdge, Sides, Span, Tested, TexelsOverW, Trapezoids, Traversal,
-        Window,
+        DrawSpan, FoundSides, Kernel, Rows, Shade, ShortEdge, Sides, SmallTriangle, Span, Tested,
+        TexelsOverW, Trapezoids, Traversal, Window,
     };
     pub use crate::run::{Place, Run};
     pub use crate::setup::Setup;

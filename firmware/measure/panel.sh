@@ -1,6 +1,6 @@
 # What a Pico's panel shows, how often a second, and the RAM that the images take: part of measure.sh.
 
-# Two frames of each scene: the first is sent as a whole, as any that shows something new, and the second as all that follow.
+# Two frames of each scene: the first may be sent as a whole, where its background is new, and the second is sent as all that follow.
 # Its cycles are what the table says; the picture and the checksum are the first one's, as the bench's are.
 frames=2
 

@@ -2,7 +2,7 @@
 
 use super::{Axis, Gradient};
 
-/// One over the doubled area of a small triangle, which has two square pixels or more.
+/// One over the doubled area of a small triangle, which is two square pixels or more.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rough {
     /// `1 / area2 = reciprocal 2^-(shift + 32)`: from 2^14 to 2^15 of either sign, so it is right to 2^-15.

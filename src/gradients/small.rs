@@ -50,7 +50,7 @@ impl Area {
         }
     }
 
-    /// Its leading bits, for values of few. Nothing where it is less than two square pixels.
+    /// Its leading bits, for values of few. Nothing where the doubled area is less than two square pixels.
     #[inline(always)]
     pub(super) fn rough(&self) -> Option<Rough> {
         // 1 / area2 = high 2^-(shift + 8).

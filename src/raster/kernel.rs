@@ -8,11 +8,11 @@ use core::ops::Range;
 
 use super::Span;
 use super::edge::ShortEdge;
+use super::small_triangle::{FoundSides, SmallTriangle};
 use super::trapezoids::Trapezoids;
 use crate::gradients::Plane;
 use crate::math::format::{Attribute, DepthCode};
 use crate::math::recip;
-use crate::setup::Setup;
 use crate::texture::Texture;
 
 /// A chip's own way to draw small triangles, less than 32 px wide and high and inside of the strip: a type parameter of
@@ -55,14 +55,11 @@ pub trait Kernel {
     /// Draws all rows of a triangle, or none of them: whether it did.
     fn draw(rows: Rows<'_>) -> bool;
 
-    /// The sides of a triangle, in some rows: those that this returns if it is left as it is, to the last bit.
-    ///
-    /// What it may rely on: of the rows there is at least one, and the triangle crosses them all. Its vertices are less than 32 px
-    /// apart on both axes, and from column -2047 to 2047; an edge that crosses a row is at least 4/256 px high.
+    /// The sides of a triangle: those that [`SmallTriangle::sides`] finds, to the last bit.
     #[must_use]
-    #[inline(never)]
-    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
-        Trapezoids::new(setup, rows)
+    #[inline(always)]
+    fn sides(triangle: SmallTriangle<'_>) -> FoundSides<'_> {
+        triangle.sides()
     }
 }
 
@@ -119,8 +116,8 @@ pub enum Shade<'a> {
 /// below its highest one, at the top of 32, and r = `2^16 / (1 + x 2^-32)` as [`reciprocals`](Self::reciprocals) has it, the
 /// column is `least[0] + (((u/w >> 15) * r) >> (31 - span_log2))`, and the row likewise: in 32 bits, without a sign.
 ///
-/// Where a triangle has [two octaves](Self::one_octave), q may be from 2^29 on: all three are doubled there. And u/w and v/w may be
-/// some steps below 0, which count as 0.
+/// Where a triangle has [two octaves](Self::one_octave), q may be from 2^29 on: all three are doubled then, without a sign. And u/w
+/// and v/w may be some steps below 0, which count as 0.
 #[derive(Clone, Copy, Debug)]
 pub struct TexelsOverW {
     /// 1/w, u/w and v/w in 31 fraction bits, with u and v from 0 to 1 over the texels that the triangle spans.

@@ -19,6 +19,7 @@ mod box_walk;
 mod by_size;
 mod edge;
 mod kernel;
+mod small_triangle;
 mod spans;
 mod trapezoids;
 
@@ -26,6 +27,7 @@ pub use box_walk::BoxWalk;
 pub use by_size::BySize;
 pub use edge::ShortEdge;
 pub use kernel::{Kernel, Rows, Shade, Sides, Tested, TexelsOverW};
+pub use small_triangle::{FoundSides, SmallTriangle};
 pub use spans::{Spans, SpansBy};
 pub use trapezoids::Trapezoids;
 

@@ -5,6 +5,7 @@ use core::ops::Range;
 
 use super::edge::{Dda, ShortEdge};
 use super::kernel::{self, Kernel};
+use super::small_triangle::SmallTriangle;
 use super::trapezoids::Trapezoids;
 use super::{DrawSpan, Traversal, Window};
 use crate::setup::Setup;
@@ -42,7 +43,8 @@ impl<K: Kernel> Traversal for SpansBy<K> {
             let rows = rows(setup, window);
             return if rows.is_empty() { Ok(()) } else { long(setup, rows).rows(&window.columns, target) };
         }
-        let trapezoids = &K::trapezoids(setup, top..bottom);
+        let found = K::sides(SmallTriangle::new(setup, top..bottom));
+        let trapezoids = found.trapezoids();
         let sides = kernel::Sides { trapezoids, columns: &window.columns };
         if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
     }

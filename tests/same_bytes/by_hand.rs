@@ -2,14 +2,13 @@
 
 use std::cell::Cell;
 use std::convert::Infallible;
-use std::ops::Range;
 
 use embedded_graphics::geometry::Size;
 use proptest::prelude::*;
 use scenes::texture::TEST_CARD;
 use topleft::stages::{
-    Correction, DrawSpan, FlatPixel, Kernel, Plane, Rows, Setup, Shade, ShortEdge, Snapped, Span, Tested,
-    TexelsOverW, Trapezoids, Traversal, Window,
+    Correction, DrawSpan, FlatPixel, FoundSides, Kernel, Plane, Rows, Setup, Shade, SmallTriangle, Snapped,
+    Span, Tested, TexelsOverW, Traversal, Window,
 };
 use topleft::{
     Attribute, Coord, Cull, Depth16, DepthCode, Length, ListStorage, NoDepth, PerPixel, Point,
@@ -24,15 +23,6 @@ thread_local! {
     static DIVIDED: Cell<u64> = const { Cell::new(0) };
     static TWICE: Cell<u64> = const { Cell::new(0) };
     static SIDES: Cell<u64> = const { Cell::new(0) };
-}
-
-/// Draws nothing, and has the sides that all have.
-enum Nothing {}
-
-impl Kernel for Nothing {
-    fn draw(_: Rows<'_>) -> bool {
-        false
-    }
 }
 
 /// Draws all that kernels are handed, but for textures that end.
@@ -83,7 +73,8 @@ impl Kernel for ByHand {
         true
     }
 
-    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
+    fn sides(triangle: SmallTriangle<'_>) -> FoundSides<'_> {
+        let (setup, rows) = (triangle.setup(), triangle.rows());
         SIDES.set(SIDES.get() + 1);
         // Promised as well.
         let [a, b, c] = setup.points();
@@ -97,7 +88,7 @@ impl Kernel for ByHand {
             let crosses = (y + 127) >> 8 < (y + height + 127) >> 8;
             assert!(!crosses || height >= 4, "{setup:?}");
         }
-        Nothing::trapezoids(setup, rows)
+        triangle.sides()
     }
 }
 

@@ -39,8 +39,24 @@ const fn needle(vertex: u32) -> Option<i32> {
     if triangle % 8 == 7 { Some(TRIANGLES as i32 / 8 - 1 - (triangle / 8).cast_signed()) } else { None }
 }
 
+/// The last two triangles have corners in centres of pixels and in corners of texels: on an edge of each, a coordinate over w is a
+/// step below 0 at a pixel of either octave. For each corner of one column and row, w, and texel; of the other, u and v change
+/// places.
+const CENTRES: [([i32; 2], i32, [i32; 2]); 3] =
+    [([8, 0], 1, [0, 0]), ([6, 4], 2, [0, 16]), ([13, 5], 2, [16, 0])];
+
+/// Which of them a vertex is of, and the corner that it is.
+fn centre(vertex: u32) -> Option<(i32, ([i32; 2], i32, [i32; 2]))> {
+    let first = 3 * (TRIANGLES as u32 - 2);
+    let place = vertex.checked_sub(first)?;
+    Some(((place / 3).cast_signed(), CENTRES[place as usize % 3]))
+}
+
 /// Up to a few hundred texels from a corner, on either side.
 fn texel(vertex: u32) -> [Attribute; 2] {
+    if let Some((triangle, (_, _, [u, v]))) = centre(vertex) {
+        return (if triangle == 0 { [u, v] } else { [v, u] }).map(|texel| Attribute::from_bits(texel << 16));
+    }
     let bits = hash(vertex).cast_signed();
     [bits >> 8, bits << 9 >> 7].map(Attribute::from_bits)
 }
@@ -52,13 +68,18 @@ const fn hash(number: u32) -> u32 {
 
 /// From 1 to 3: most triangles have one or two octaves of it, and some have three.
 fn distance(vertex: u32) -> Length {
+    if let Some((_, (_, w, _))) = centre(vertex) {
+        return Length::from_bits(w << 16);
+    }
     Length::from_bits(((1 << 16) + (hash(vertex + 30_000) >> 15)).cast_signed())
 }
 
-/// Triangle after triangle up to 1, 2, 4 .. 64 px wide and high, and back to 1, at any depths; and needles, of which one shows by a
-/// step of green whether channels are known at column 0.
+/// Triangle after triangle up to 1, 2, 4 .. 64 px wide and high, and back to 1, at any depths; and needles, which channels change fast on.
 fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> {
-    let at = if let Some(needle) = needle(vertex) {
+    let at = if let Some((triangle, ([column, row], ..))) = centre(vertex) {
+        let [x, y] = [column + 20 * triangle, row].map(|place| Coord::from_bits((place << 8) + 128));
+        Point::new(x, y)
+    } else if let Some(needle) = needle(vertex) {
         let [x, y] = [[0, 0], [25, 0], [12, 4096]][vertex as usize % 3];
         let (x, y) = (51_316 + x - 256 * 5 * needle, 2_560 + y + 256 * 5 * needle);
         Point::new(Coord::from_bits(x), Coord::from_bits(y))
@@ -72,7 +93,8 @@ fn vertex<A: Copy>(vertex: u32, attributes: fn(u32) -> A) -> ProjectedVertex<A> 
         };
         Point::new(place(middle, corner), place(middle >> 16, corner >> 16))
     };
-    let depth = DepthCode::from_bits(hash(vertex + 20_000));
+    let depth = if centre(vertex).is_some() { u32::MAX } else { hash(vertex + 20_000) };
+    let depth = DepthCode::from_bits(depth);
     ProjectedVertex::new(at, attributes(vertex)).with_depth(depth).with_w(distance(vertex))
 }
 

@@ -34,9 +34,8 @@ impl Shown {
     }
 }
 
-/// The first rows of the fewest strips that hold these rows, from the top down. Those of the first strip that are not asked
-/// for lie above the others: the less there is to see in it, the better, as only the first of a frame waits for no other to be
-/// sent.
+/// The first rows of the fewest strips that hold these rows, from the top down. Rows that are not asked for are the first ones, if
+/// there is room above: the less there is to see in the first strip, the better, as it is sent while the bus has nothing else to do.
 pub fn strips(rows: Range<i32>) -> impl Iterator<Item = i32> {
     let count = rows.len().div_ceil(STRIP_ROWS) as i32;
     let first = (rows.end - count * ROWS).max(0);

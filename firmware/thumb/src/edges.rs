@@ -1,15 +1,16 @@
 //! The sides of a triangle, from its vertices.
-#![expect(unsafe_code, reason = "assembly: it relies on what `Kernel::trapezoids` promises")]
+#![expect(unsafe_code, reason = "assembly: it relies on what `SmallTriangle` promises")]
 
 use core::arch::naked_asm;
-use core::ops::Range;
 
-use topleft::stages::{Setup, ShortEdge, Trapezoids};
+use topleft::stages::{FoundSides, Setup, ShortEdge, SmallTriangle};
 
 #[inline(always)]
-pub(crate) fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
-    // SAFETY: it reads the triangle and the table, and writes what it returns.
-    unsafe { sides(setup, rows.start, rows.end, ShortEdge::reciprocals()) }
+pub(crate) fn sides<'t>(triangle: &SmallTriangle<'t>) -> FoundSides<'t> {
+    let rows = triangle.rows();
+    // SAFETY: it reads the triangle and the table, and writes what it returns: the sides of this triangle. Its heights are from 4
+    // to 2^13, so that the search for their highest bit ends.
+    unsafe { found(triangle.setup(), rows.start, rows.end, ShortEdge::reciprocals()) }
 }
 
 /// About 120 cycles, and 70 an edge.
@@ -17,7 +18,7 @@ pub(crate) fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdg
 /// Stack: 0, where sides are written; 4, the triangle; 8, the centre of a row, in steps of 1/256 px; 12, where the upper side
 /// is written; 16, reciprocals.
 #[unsafe(naked)]
-unsafe extern "C" fn sides(_: &Setup, top: i32, bottom: i32, _: &[u16; 65]) -> Trapezoids<ShortEdge> {
+unsafe extern "C" fn found<'t>(_: &'t Setup, top: i32, bottom: i32, _: &[u16; 65]) -> FoundSides<'t> {
     naked_asm!(
         "push {{r4-r7, lr}}
          mov r4, r3

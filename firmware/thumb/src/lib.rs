@@ -29,13 +29,10 @@
 //! ```
 #![no_std]
 
-#[cfg(thumb)]
-use core::ops::Range;
-
 use topleft::SpansBy;
-use topleft::stages::{Kernel, Rows};
 #[cfg(thumb)]
-use topleft::stages::{Setup, ShortEdge, Trapezoids};
+use topleft::stages::{FoundSides, SmallTriangle};
+use topleft::stages::{Kernel, Rows};
 
 #[cfg(thumb)]
 mod affine;
@@ -103,7 +100,7 @@ impl Kernel for Thumb {
     }
 
     #[inline(always)]
-    fn trapezoids(setup: &Setup, rows: Range<i32>) -> Trapezoids<ShortEdge> {
-        edges::trapezoids(setup, rows)
+    fn sides(triangle: SmallTriangle<'_>) -> FoundSides<'_> {
+        edges::sides(&triangle)
     }
 }

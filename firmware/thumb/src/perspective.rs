@@ -46,8 +46,8 @@ impl Frame {
             depth_dx: depth.dx,
             to_depth,
             over_w_dx: words(texels.over_w.dx),
-            // Of one column, it is 0. Heights divide 2^16.
-            corner: (column << (above & 31)).wrapping_add(row & 0xFFFF),
+            // Of one column, nothing is left. Heights divide 2^16.
+            corner: column.checked_shl(above).unwrap_or_default().wrapping_add(row & 0xFFFF),
             shifts: down | above << 8 | (above - 1) << 16 | u32::from(!texels.one_octave) << 24,
         }
     }

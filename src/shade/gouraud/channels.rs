@@ -7,7 +7,7 @@ use crate::varying::Varying;
 
 /// Red, green and blue in steps of the pixel's channels, 0 to 255, and a half for rounding.
 ///
-/// An eye sees no part of a step: so planes of a small triangle of two pixels or more are right to 2^-8 of a step and 2^-15 of
+/// An eye sees no part of a step: so planes of a small triangle of one square pixel or more are right to 2^-8 of a step and 2^-15 of
 /// what its vertices differ by, `n + m + 1` steps of 2^-16 from rounding at n columns and m rows from the anchor. All others are
 /// as near as of any [`Attribute`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

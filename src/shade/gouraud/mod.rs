@@ -21,7 +21,7 @@ pub use within::{ColourError, GouraudWithin};
 /// A colour a vertex, interpolated over the face: lit by the vertices' normals, or the mesh's own colours as they are.
 ///
 /// Colours are interpolated in steps of the display's own channels, with 16 fraction bits, and rounded to nearest. Before
-/// that they are off by less than 2^-6 of a step.
+/// that they are off by less than 2^-6 of a step within 2000 pixels of the triangle's first vertex, columns and rows together.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb888;
