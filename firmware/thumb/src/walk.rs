@@ -4,6 +4,8 @@
 //! own. On the stack they have, in words: the slopes of the left and the right side, the bytes from a row to the next, the
 //! row that these sides end before; what a kernel has itself; and at last the row after all, and where the lower side is.
 
+use core::mem::MaybeUninit;
+
 use topleft::stages::{Rows, ShortEdge, Trapezoids};
 
 /// What kernels are called with, but for their own frame.
@@ -129,6 +131,135 @@ macro_rules! turn {
     };
 }
 
+/// What a kernel in a single pass is called with, on the stack: it belongs to the kernel there.
+#[repr(C)]
+pub(crate) struct Frame<Low> {
+    down: [u32; 4],
+    room: [MaybeUninit<u32>; 2],
+    high: [u32; 4],
+    low: Low,
+}
+
+impl<Low> Frame<Low> {
+    /// What rows are stepped by, what r8 to r11 begin with, and, of four words, what r2 to r5 do.
+    #[inline(always)]
+    pub(crate) fn new(down: [u32; 4], high: [u32; 4], low: Low) -> Self {
+        const { assert!(size_of::<Low>() == 16) };
+        Self { down, room: [MaybeUninit::uninit(); 2], high, low }
+    }
+}
+
+/// A kernel without a loop over pixels: from the right, they stand in the code as they do in the row, and the first is jumped to.
+/// `bytes` has one, `pixel`, which has its column from `\\column`. Its values stay in registers from row to row: behind a row's
+/// last pixel, `down` steps them a row, and `along` so many columns as the next row's first one is from there.
+///
+/// r0: 64 bytes before the end of the row's pixels, and r1 of their depths, where `depths` sets it; r12: 64 bytes before the row.
+/// r2 to r5, r8 to r11 and lr are the kernel's, as its frame and its fourth argument have them; r6 and r7 are free in `pixel`.
+/// `down` has r1 and r6, and the frame's first word at r7, which it leaves behind the fourth; `along` has the columns in r0, and
+/// r7; `depths` has r1.
+///
+/// Stack: 0, the row after all, and where the lower side is; 8, where the last pixel's code ends; what [`keep`] keeps; 48, the
+/// steps from row to row; 64, bytes a row and the row that the sides end before; 72, left and right side, and slopes.
+macro_rules! single_pass {
+    (bytes: $bytes:literal, pixel: $pixel:expr, down: $down:expr, along: $along:expr, depths: $depths:expr $(,)?) => {
+        core::arch::naked_asm!(
+            $crate::walk::keep!(),
+            "mov lr, r3
+             subs r1, r1, #64
+             mov r12, r1
+             add r7, sp, #60
+             ldmia r7!, {{r3-r6}}
+             mov r8, r3
+             mov r9, r4
+             mov r10, r5
+             mov r11, r6
+             subs r7, r7, #24
+             ldmia r0!, {{r3-r5}}
+             subs r5, r5, r4
+             subs r4, r4, r3
+             muls r4, r2, r4
+             adds r4, r4, r1
+             muls r5, r2, r5
+             adds r5, r5, r4
+             adr r6, 5f
+             movs r3, #{bytes}
+             lsls r3, r3, #5
+             adds r6, r6, r3
+             stmia r7!, {{r2, r4}}
+             mov r2, r5
+             mov r1, r4
+             ldmia r0!, {{r3-r5, r7}}
+             push {{r0, r6}}
+             push {{r2}}
+             add r6, sp, #72
+             stmia r6!, {{r3-r5, r7}}
+             ldmia r6!, {{r2-r5}}
+             mov r0, r12
+             add r7, sp, #72
+             mov r6, r1
+             b 7f
+             .p2align 2
+             5:
+             .irp column, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 34, 36, 38, 40, 42, 44, 46, 48, 50, 52, \
+             54, 56, 58, 60, 62",
+            $pixel,
+            ".endr
+             4:
+             add r7, sp, #48",
+            $down,
+            "ldmia r7!, {{r1, r6}}
+             adds r0, r0, r1
+             add r12, r1
+             7:
+             cmp r12, r6
+             beq 9f
+             2:
+             ldmia r7!, {{r1, r6}}
+             adds r6, r6, r1
+             str r6, [sp, #72]
+             asrs r1, r1, #20
+             ldmia r7, {{r6, r7}}
+             adds r7, r7, r6
+             str r7, [sp, #80]
+             asrs r6, r6, #20
+             subs r6, r6, r1
+             ble 4b
+             lsls r1, r1, #1
+             add r1, r12
+             subs r0, r1, r0
+             asrs r0, r0, #1",
+            $along,
+            "lsls r7, r6, #1
+             adds r0, r1, r7
+             movs r7, #{bytes}
+             muls r6, r7, r6
+             ldr r7, [sp, #8]
+             subs r7, r7, r6",
+            $depths,
+            "mov pc, r7",
+            // Where sides end: to the first row of the lower ones, or back to the caller.
+            "9:
+             ldr r1, [sp]
+             cmp r12, r1
+             beq 8f
+             str r1, [sp, #68]
+             ldr r1, [sp, #4]
+             ldrb r6, [r1, #8]
+             lsls r6, r6, #3
+             add r7, sp, #72
+             adds r7, r7, r6
+             ldmia r1, {{r1, r6}}
+             stmia r7!, {{r1, r6}}
+             add r7, sp, #72
+             b 2b
+             8:
+             add sp, #12",
+            $crate::walk::restore!(),
+            bytes = const $bytes,
+        )
+    };
+}
+
 /// The first run of a row that is tested: from column r0 on, r1 columns. `depth` is where on the stack depth at column 0 is, and
 /// from `at` on it has depth from pixel to pixel and the bytes to depths; then the row's end, a run's start, what is left of the
 /// row behind it, and depth there.
@@ -243,4 +374,4 @@ macro_rules! hidden {
     };
 }
 
-pub(crate) use {ends, enter, first_run, hidden, keep, restore, turn, visible};
+pub(crate) use {ends, enter, first_run, hidden, keep, restore, single_pass, turn, visible};
