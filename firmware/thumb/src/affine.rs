@@ -19,43 +19,43 @@ struct Low {
     fourth: u32,
 }
 
-/// The texel's column and row: a column has its leading bits at the top, so that what is left of the texture falls out.
-#[inline(always)]
-fn bits([u, v]: [Attribute; 2], texture: &Texture<'_>) -> [u32; 2] {
-    let up = 16_u32.saturating_sub(texture.width().trailing_zeros());
-    [u.to_bits().cast_unsigned() << up, v.to_bits().cast_unsigned()]
-}
-
 impl Low {
     #[inline(always)]
-    fn new(texture: &Texture<'_>, fourth: u32) -> Self {
+    fn new(texture: &Texture<'_>) -> Self {
         Self {
             above: 31 - texture.width().trailing_zeros(),
             mask: 2 * (texture.texels().len() as u32 - 1),
             texels: texture.texels().as_ptr(),
-            fourth,
+            fourth: 0,
         }
+    }
+
+    /// A texel's column and row. Columns are moved up until one of the texture leads, and what repeats it falls out.
+    #[inline(always)]
+    fn bits(&self, texel: [Attribute; 2]) -> [u32; 2] {
+        let [u, v] = texel.map(|texel| texel.to_bits().cast_unsigned());
+        [u << (self.above - 15), v]
     }
 }
 
 #[inline(always)]
 pub(crate) fn draw(rows: Rows<'_>, texture: &Texture<'_>, texels: &Texels) {
     let Walk { trapezoids, row, stride, .. } = Walk::new(rows);
-    let [[u, v], [u_dx, v_dx], [u_dy, v_dy]] =
-        [texels.start, texels.dx, texels.dy].map(|texel| bits(texel, texture));
-    let frame = Frame::new([u_dy, v_dy, 0, 0], [u, 0, u_dx, v_dx], Low::new(texture, v));
-    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells or over more than 32 of them, which the
-    // code has pixels for; the mask keeps texels in the texture, which has a power of two of them, 2^10 a side at most.
+    let low = Low::new(texture);
+    let [[u, v], [u_dx, v_dx], [u_dy, v_dy]] = [texels.start, texels.dx, texels.dy].map(|texel| low.bits(texel));
+    let frame = Frame::new([u_dy, v_dy, 0, 0], [u, 0, u_dx, v_dx], Low { fourth: v, ..low });
+    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells; the mask keeps texels in the texture,
+    // which has a power of two of them, 2^10 a side at most.
     unsafe { affine(trapezoids, row, stride, 0, frame) };
 }
 
 #[inline(always)]
 pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, texture: &Texture<'_>, texels: &Texels) {
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
-    let [[u, v], [u_dx, v_dx], [u_dy, v_dy]] =
-        [texels.start, texels.dx, texels.dy].map(|texel| bits(texel, texture));
+    let low = Low::new(texture);
+    let [[u, v], [u_dx, v_dx], [u_dy, v_dy]] = [texels.start, texels.dx, texels.dy].map(|texel| low.bits(texel));
     let [z, z_dx, z_dy] = [depth.start, depth.dx, depth.dy].map(DepthCode::to_bits);
-    let frame = Frame::new([u_dy, v_dy, z_dy, to_depth as u32], [u, v, u_dx, v_dx], Low::new(texture, z));
+    let frame = Frame::new([u_dy, v_dy, z_dy, to_depth as u32], [u, v, u_dx, v_dx], Low { fourth: z, ..low });
     // SAFETY: as above; each cell has its depth as far from it as the first has.
     unsafe { affine_tested(trapezoids, row, stride, z_dx, frame) };
 }
@@ -106,6 +106,7 @@ unsafe extern "C" fn affine(
              muls r7, r0, r7
              adds r5, r5, r7",
         depths: "",
+        fourth: "movs r7, #0",
     )
 }
 
@@ -154,5 +155,6 @@ unsafe extern "C" fn affine_tested(
         depths:
             "ldr r1, [sp, #60]
              adds r1, r1, r0",
+        fourth: "ldr r7, [sp, #72]",
     )
 }

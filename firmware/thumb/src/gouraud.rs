@@ -82,6 +82,7 @@ macro_rules! rows {
             depths:
                 "mov r1, r0
                  add r1, lr",
+            fourth: "movs r7, #0",
         )
     };
 }

@@ -149,6 +149,10 @@ impl<Low> Frame<Low> {
     }
 }
 
+/// How many pixels stand in the code of a kernel in a single pass: all that a row may have, or half of them where flash is small,
+/// as on chips with the narrowest cores. There a wider row is two.
+pub(crate) const PIXELS: u32 = if cfg!(narrow) { 16 } else { 32 };
+
 /// A kernel without a loop over pixels: from the right, they stand in the code as they do in the row, and the first is jumped to.
 /// `bytes` has one, `pixel`, which has its column from `\\column`. Its values stay in registers from row to row: behind a row's
 /// last pixel, `down` steps them a row, and `along` so many columns as the next row's first one is from there.
@@ -161,11 +165,11 @@ impl<Low> Frame<Low> {
 /// Stack: 0, the row after all, and where the lower side is; 8, where the last pixel's code ends; what [`keep`] keeps; 48, the
 /// steps from row to row; 64, bytes a row and the row that the sides end before; 72, left and right side, and slopes.
 macro_rules! single_pass {
-    (bytes: $bytes:literal, pixel: $pixel:expr, down: $down:expr, along: $along:expr, depths: $depths:expr $(,)?) => {
+    (bytes: $bytes:literal, pixel: $pixel:expr, down: $down:expr, along: $along:expr, depths: $depths:expr, fourth: $fourth:expr $(,)?) => {
         core::arch::naked_asm!(
             $crate::walk::keep!(),
             "mov lr, r3
-             subs r1, r1, #64
+             subs r1, r1, #2 * {pixels}
              mov r12, r1
              add r7, sp, #60
              ldmia r7!, {{r3-r6}}
@@ -183,7 +187,7 @@ macro_rules! single_pass {
              adds r5, r5, r4
              adr r6, 5f
              movs r3, #{bytes}
-             lsls r3, r3, #5
+             lsls r3, r3, #{log2}
              adds r6, r6, r3
              stmia r7!, {{r2, r4}}
              mov r2, r5
@@ -201,9 +205,11 @@ macro_rules! single_pass {
              .p2align 2
              5:
              .irp column, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 34, 36, 38, 40, 42, 44, 46, 48, 50, 52, \
-             54, 56, 58, 60, 62",
+             54, 56, 58, 60, 62
+             .if \\column < 2 * {pixels}",
             $pixel,
-            ".endr
+            ".endif
+             .endr
              4:
              add r7, sp, #48",
             $down,
@@ -224,12 +230,18 @@ macro_rules! single_pass {
              asrs r6, r6, #20
              subs r6, r6, r1
              ble 4b
+             .if {pixels} < 32
+             cmp r6, #{pixels}
+             bhi 6f
+             .endif
+             3:
              lsls r1, r1, #1
              add r1, r12
              subs r0, r1, r0
              asrs r0, r0, #1",
             $along,
-            "lsls r7, r6, #1
+            "1:
+             lsls r7, r6, #1
              adds r0, r1, r7
              movs r7, #{bytes}
              muls r6, r7, r6
@@ -237,8 +249,36 @@ macro_rules! single_pass {
              subs r7, r7, r6",
             $depths,
             "mov pc, r7",
+            // Of a wider row, its first pixels, with a frame that steps by nothing and ends with this row: so it comes to 9 as it
+            // is, for the rest, whose number is behind that frame.
+            ".if {pixels} < 32
+             6:
+             subs r6, r6, #{pixels}
+             push {{r6}}
+             movs r6, #0
+             mov r7, r12
+             push {{r6, r7}}",
+            $fourth,
+            "push {{r6, r7}}
+             movs r7, #0
+             push {{r6, r7}}
+             ldr r7, [sp, #36]
+             sub sp, #48
+             str r7, [sp, #8]
+             movs r6, #{pixels}
+             b 3b
+             6:
+             add sp, #72
+             pop {{r6}}
+             mov r1, r0
+             b 1b
+             .endif",
             // Where sides end: to the first row of the lower ones, or back to the caller.
             "9:
+             .if {pixels} < 32
+             cmp r1, #0
+             beq 6b
+             .endif
              ldr r1, [sp]
              cmp r12, r1
              beq 8f
@@ -256,6 +296,8 @@ macro_rules! single_pass {
              add sp, #12",
             $crate::walk::restore!(),
             bytes = const $bytes,
+            pixels = const $crate::walk::PIXELS,
+            log2 = const $crate::walk::PIXELS.ilog2(),
         )
     };
 }
