@@ -32,9 +32,8 @@ impl Low {
 
     /// A texel's column and row. Columns are moved up until one of the texture leads, and what repeats it falls out.
     #[inline(always)]
-    fn bits(&self, texel: [Attribute; 2]) -> [u32; 2] {
-        let [u, v] = texel.map(|texel| texel.to_bits().cast_unsigned());
-        [u << (self.above - 15), v]
+    fn bits(&self, [u, v]: &[Attribute; 2]) -> [u32; 2] {
+        [u.to_bits().cast_unsigned() << (self.above - 15), v.to_bits().cast_unsigned()]
     }
 }
 
@@ -42,7 +41,9 @@ impl Low {
 pub(crate) fn draw(rows: Rows<'_>, texture: &Texture<'_>, texels: &Texels) {
     let Walk { trapezoids, row, stride, .. } = Walk::new(rows);
     let low = Low::new(texture);
-    let [[u, v], [u_dx, v_dx], [u_dy, v_dy]] = [texels.start, texels.dx, texels.dy].map(|texel| low.bits(texel));
+    let [u, v] = low.bits(&texels.start);
+    let [u_dx, v_dx] = low.bits(&texels.dx);
+    let [u_dy, v_dy] = low.bits(&texels.dy);
     let frame = Frame::new([u_dy, v_dy, 0, 0], [u, 0, u_dx, v_dx], Low { fourth: v, ..low });
     // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells; the mask keeps texels in the texture,
     // which has a power of two of them, 2^10 a side at most.
@@ -53,7 +54,9 @@ pub(crate) fn draw(rows: Rows<'_>, texture: &Texture<'_>, texels: &Texels) {
 pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, texture: &Texture<'_>, texels: &Texels) {
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
     let low = Low::new(texture);
-    let [[u, v], [u_dx, v_dx], [u_dy, v_dy]] = [texels.start, texels.dx, texels.dy].map(|texel| low.bits(texel));
+    let [u, v] = low.bits(&texels.start);
+    let [u_dx, v_dx] = low.bits(&texels.dx);
+    let [u_dy, v_dy] = low.bits(&texels.dy);
     let [z, z_dx, z_dy] = [depth.start, depth.dx, depth.dy].map(DepthCode::to_bits);
     let frame = Frame::new([u_dy, v_dy, z_dy, to_depth as u32], [u, v, u_dx, v_dx], Low { fourth: z, ..low });
     // SAFETY: as above; each cell has its depth as far from it as the first has.
