@@ -4,7 +4,8 @@
 use topleft::stages::{Plane, Rows, ShortEdge, Trapezoids};
 use topleft::{Attribute, DepthCode, Texture};
 
-use crate::walk::{Frame, Walk, single_pass};
+use crate::single_pass::{Frame, single_pass};
+use crate::walk::Walk;
 
 type Texels = Plane<[Attribute; 2]>;
 
@@ -30,7 +31,7 @@ impl Low {
         }
     }
 
-    /// A texel's column and row. Columns are moved up until one of the texture leads, and what repeats it falls out.
+    /// A texel's column and row. Columns stand at the top of 32 bits, which keep those of the texture and lose what repeats it.
     #[inline(always)]
     fn bits(&self, [u, v]: &[Attribute; 2]) -> [u32; 2] {
         [u.to_bits().cast_unsigned() << (self.above - 15), v.to_bits().cast_unsigned()]
@@ -45,8 +46,8 @@ pub(crate) fn draw(rows: Rows<'_>, texture: &Texture<'_>, texels: &Texels) {
     let [u_dx, v_dx] = low.bits(&texels.dx);
     let [u_dy, v_dy] = low.bits(&texels.dy);
     let frame = Frame::new([u_dy, v_dy, 0, 0], [u, 0, u_dx, v_dx], Low { fourth: v, ..low });
-    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells; the mask keeps texels in the texture,
-    // which has a power of two of them, 2^10 a side at most.
+    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells or over more than 32 of them, as the
+    // jump into the code has it; the mask keeps texels in the texture, which has a power of two of them, 2^10 a side at most.
     unsafe { affine(trapezoids, row, stride, 0, frame) };
 }
 
@@ -63,8 +64,8 @@ pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, texture: &Tex
     unsafe { affine_tested(trapezoids, row, stride, z_dx, frame) };
 }
 
-/// The texel of the row whose bits are in r6, 10 cycles: the row is turned above the column, and what is not the texture's is cut
-/// off. r2 to r4: `above`, `mask` and `texels`; r8: the column, r10 and r11: steps of column and row.
+/// A texel, 8 cycles: its row is in r6, turned to above the column, and the mask takes what repeats the texture. r2 to r4: `above`,
+/// `mask` and `texels`; r8: the column; r10, r11: steps of column and row.
 macro_rules! texel {
     () => {
         "

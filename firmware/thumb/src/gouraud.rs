@@ -4,7 +4,8 @@
 use topleft::stages::{Plane, Rows, ShortEdge, Trapezoids};
 use topleft::{Attribute, DepthCode};
 
-use crate::walk::{Frame, Walk, single_pass};
+use crate::single_pass::{Frame, single_pass};
+use crate::walk::Walk;
 
 type Channels = Plane<[Attribute; 3]>;
 
@@ -23,8 +24,8 @@ pub(crate) fn draw(rows: Rows<'_>, channels: &Channels) {
     let Walk { trapezoids, row, stride, .. } = Walk::new(rows);
     let none = DepthCode::from_bits(0);
     let frame = frame(channels, Plane { start: none, dx: none, dy: none });
-    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells or over more than 32 of them, which the
-    // code has pixels for.
+    // SAFETY: the cells are borrowed for all rows, and no row reaches beyond its cells or over more than 32 of them, as the
+    // jump into the code has it.
     unsafe { gouraud(trapezoids, row, stride, 0, frame) };
 }
 
@@ -32,7 +33,7 @@ pub(crate) fn draw(rows: Rows<'_>, channels: &Channels) {
 pub(crate) fn draw_tested(rows: Rows<'_>, depth: Plane<DepthCode>, channels: &Channels) {
     let Walk { trapezoids, row, stride, to_depth } = Walk::new(rows);
     // SAFETY: the cells are borrowed for all rows, each has its depth as far from it as the first has, and no row reaches beyond
-    // its cells or over more than 32 of them, which the code has pixels for.
+    // its cells or over more than 32 of them, as the jump into the code has it.
     unsafe { gouraud_tested(trapezoids, row, stride, to_depth, frame(channels, depth)) };
 }
 
