@@ -45,6 +45,8 @@ mod gouraud;
 #[cfg(thumb)]
 mod perspective;
 #[cfg(thumb)]
+mod single_pass;
+#[cfg(thumb)]
 mod walk;
 
 /// [`topleft::Spans`], with small triangles in Thumb instructions.
