@@ -11,7 +11,7 @@ use crate::shade::{Look, Method, Shade};
 use crate::texture::WAVES;
 
 /// From the middle of the board: the nearer, the more pixels.
-const DISTANCE: &str = "4.76";
+const DISTANCE: &str = "4.82";
 /// Degrees above the sea: the higher, the more of the triangles face the viewer, and the more pixels are sea and not sky.
 const PITCH: i32 = 30;
 /// Degrees from top to bottom. From far away through a narrow angle, a board of as many pixels is wider and less high: it lies

@@ -12,7 +12,7 @@ pub const STRIP_ROWS: usize = 20;
 /// Pixels of a strip.
 pub const STRIP_CELLS: usize = PANEL.width as usize * STRIP_ROWS;
 /// Words of a list's vertices, and its triangles: enough for most scenes. What does not fit is counted on the panel.
-pub const WORDS: usize = 4400;
+pub const WORDS: usize = 4300;
 /// The triangles of a list.
 pub const TRIANGLES: usize = 1100;
 

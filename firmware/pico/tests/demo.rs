@@ -10,7 +10,7 @@ const LEAST_TRIANGLES: usize = 1000;
 const LEAST_PIXELS: usize = PIXELS * 2 / 5;
 /// All memory that an image uses, of which so much is left for the stack: `docs/measured/ram.csv` says what it takes.
 const RAM: usize = 64 * 1024;
-const STACK: usize = 6 * 1024;
+const STACK: usize = 4 * 1024;
 
 /// Red when: a hill hides too many triangles from some side, the camera moves away, or the list is too small for a frame.
 #[test]
