@@ -239,7 +239,9 @@ impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
         let Some(shaded) = shading.for_kernel(sides.top(), colours) else { return false };
         let depth = depth.starting_in_row(sides.top());
         let Some(tested) = D::for_kernel(depths, depth) else { return false };
-        raster::Rows::new(&sides, *width, shaded, tested).is_some_and(K::draw)
+        // Inlined for each shader, so that it links its own kernel and no other.
+        let Some(rows) = raster::Rows::new(&sides, *width, shaded, tested) else { return false };
+        K::draw(rows)
     }
 }
 

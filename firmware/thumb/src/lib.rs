@@ -82,15 +82,13 @@ impl Kernel for Thumb {
             (Shade::Gouraud(channels), Tested::Depth16(depth)) => {
                 gouraud::draw_tested(rows, depth, &channels);
             }
-            (Shade::Affine(texture, _) | Shade::Perspective(texture, _), _)
-                if texture.wrap() != Wrap::Repeat =>
-            {
-                return false;
-            }
+            // Each by itself, so that no shader links another's.
+            (Shade::Affine(texture, _), _) if texture.wrap() != Wrap::Repeat => return false,
             (Shade::Affine(texture, texels), Tested::Never) => affine::draw(rows, &texture, &texels),
             (Shade::Affine(texture, texels), Tested::Depth16(depth)) => {
                 affine::draw_tested(rows, depth, &texture, &texels);
             }
+            (Shade::Perspective(texture, _), _) if texture.wrap() != Wrap::Repeat => return false,
             (Shade::Perspective(texture, texels), Tested::Never) => {
                 perspective::draw(rows, &texture, &texels);
             }
