@@ -40,6 +40,7 @@ const UNUSED = {
     demo: ['perspective'],
     'demo-thumb': ['perspective'],
     methods: ['light', 'floats'],
+    'methods-thumb': ['light', 'floats'],
     everything: [],
 };
 const WAYS = Object.keys(UNUSED);

@@ -39,14 +39,15 @@ const fn needle(vertex: u32) -> Option<i32> {
     if triangle % 8 == 7 { Some(TRIANGLES as i32 / 8 - 1 - (triangle / 8).cast_signed()) } else { None }
 }
 
+/// A column and a row, w, and a texel.
+type Corner = ([i32; 2], i32, [i32; 2]);
+
 /// The last two triangles have corners in centres of pixels and in corners of texels: on an edge of each, a coordinate over w is a
-/// step below 0 at a pixel of either octave. For each corner of one column and row, w, and texel; of the other, u and v change
-/// places.
-const CENTRES: [([i32; 2], i32, [i32; 2]); 3] =
-    [([8, 0], 1, [0, 0]), ([6, 4], 2, [0, 16]), ([13, 5], 2, [16, 0])];
+/// step below 0 at a pixel of either octave. These are the first one's; of the other, u and v change places.
+const CENTRES: [Corner; 3] = [([8, 0], 1, [0, 0]), ([6, 4], 2, [0, 16]), ([13, 5], 2, [16, 0])];
 
 /// Which of them a vertex is of, and the corner that it is.
-fn centre(vertex: u32) -> Option<(i32, ([i32; 2], i32, [i32; 2]))> {
+fn centre(vertex: u32) -> Option<(i32, Corner)> {
     let first = 3 * (TRIANGLES as u32 - 2);
     let place = vertex.checked_sub(first)?;
     Some(((place / 3).cast_signed(), CENTRES[place as usize % 3]))

@@ -10,7 +10,7 @@ use embedded_graphics_core::geometry::Size;
 use topleft::stages::{Shader, Traversal};
 use topleft::{
     Affine, Camera, Depth, DrawError, DrawList, Flat, Gouraud, Length, ListTriangle, Material, Matrix,
-    MatrixCamera, Mesh, Perspective, Pose, Strip, Sun, Texture, Textured, Turn,
+    MatrixCamera, Mesh, PerPixel, Perspective, Pose, Strip, Sun, Texture, Textured, Turn,
 };
 
 /// Pixels of the panel.
@@ -78,8 +78,8 @@ pub fn texture() -> Option<Texture<'static>> {
 }
 
 /// Draws the cube into a list and each strip of it.
-pub fn draw<'a, D: Depth, C: Camera, S: Shader<'a, u16>>(
-    list: &mut DrawList<'a, u16, D>,
+pub fn draw<'a, D: Depth, T: Traversal, C: Camera, S: Shader<'a, u16>>(
+    list: &mut DrawList<'a, u16, D, T>,
     strip: &mut Strip<'_, u16, D>,
     camera: &C,
     shader: &S,
@@ -169,4 +169,22 @@ macro_rules! image {
             std::process::exit(2);
         }
     };
+}
+
+/// One after the other: flat and an affine texture without depth; flat, Gouraud, and a texture with a reciprocal a pixel with
+/// depth.
+pub fn methods<T: Traversal>(memory: &mut Memory) {
+    let Memory { words, triangles, colours, depths } = memory;
+    let Some(texture) = texture() else { return };
+    let flat = Flat::new(Material::OfMesh);
+    let Ok(mut strip) = Strip::new(240, colours) else { return };
+    let mut list = DrawList::<_, _, T>::with_traversal(words, triangles);
+    draw(&mut list, &mut strip, &FRONT, &flat);
+    draw(&mut list, &mut strip, &FRONT, &Textured::new(&texture, Affine));
+    drop(list);
+    let Ok(mut strip) = strip.with_depth(depths) else { return };
+    let mut list = DrawList::<_, _, T>::with_traversal(words, triangles);
+    draw(&mut list, &mut strip, &FRONT, &flat);
+    draw(&mut list, &mut strip, &FRONT, &Gouraud::unlit(&Material::OfMesh));
+    draw(&mut list, &mut strip, &EYE, &Textured::new(&texture, PerPixel));
 }
