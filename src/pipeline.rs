@@ -30,6 +30,9 @@ pub(crate) struct Vertices<Z, A> {
 pub(crate) trait Surface<P, D: Depth> {
     type Error;
 
+    /// Whether `rows` may ever draw any.
+    const KERNELS: bool = false;
+
     /// Draws a span.
     fn span<'a, S: PixelShader<'a, P>>(
         &mut self,
@@ -203,6 +206,11 @@ where
     D: Depth,
     Target: Surface<P, D>,
 {
+    #[inline(always)]
+    fn has_kernels(&self) -> bool {
+        Target::KERNELS && S::KERNELS
+    }
+
     #[inline(always)]
     fn draw(&mut self, span: Span) -> Result<(), Target::Error> {
         let Self { target, depth, shading } = self;

@@ -18,6 +18,9 @@ pub trait Code {
     /// The code of a depth, below 2^16: it never falls where depths grow, and is not 0 where there is something.
     fn of(depth: u32) -> u32;
 
+    /// Whether there are kernels for these codes.
+    const KERNELS: bool = false;
+
     /// How a kernel tests cells with a plane, if there are kernels for these codes.
     #[inline(always)]
     fn tested(plane: Plane<DepthCode>) -> Option<Tested> {
@@ -32,6 +35,7 @@ impl<C: Code> Depth for C {
     type Plane<'p> = &'p mut [u16];
     type Cell<'p> = &'p mut u16;
     type Cells<'p> = core::slice::IterMut<'p, u16>;
+    const KERNELS: bool = C::KERNELS;
 
     #[inline]
     fn vertex(nearness: impl FnOnce() -> u32) -> DepthVertex {

@@ -15,6 +15,7 @@ pub struct Depth16;
 impl Code for Depth16 {
     // 4 codes.
     const MARGIN_BITS: u32 = 18;
+    const KERNELS: bool = true;
 
     #[inline(always)]
     fn of(depth: u32) -> u32 {

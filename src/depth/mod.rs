@@ -60,6 +60,10 @@ pub trait Depth {
         length: usize,
     ) -> Option<(&'p mut [P], Self::Plane<'p>)>;
 
+    /// Whether there are kernels for it.
+    #[doc(hidden)]
+    const KERNELS: bool = false;
+
     /// Some cells for a kernel, and how they are tested with a triangle's plane, if there are kernels for that.
     #[doc(hidden)]
     #[inline(always)]

@@ -10,6 +10,7 @@ pub struct NoDepth;
 
 impl Depth for NoDepth {
     const ALWAYS_VISIBLE: bool = true;
+    const KERNELS: bool = true;
     type Vertex = ();
     type Varying = ();
     type Plane<'p> = ();

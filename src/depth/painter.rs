@@ -18,6 +18,7 @@ pub struct Painter;
 
 impl Depth for Painter {
     const ALWAYS_VISIBLE: bool = true;
+    const KERNELS: bool = true;
     type Vertex = Nearness;
     type Varying = ();
     type Plane<'p> = ();

@@ -89,6 +89,15 @@ pub trait DrawSpan<E> {
     /// Where it could not be drawn: no other follows.
     fn draw(&mut self, span: Span) -> Result<(), E>;
 
+    /// Whether [`rows`](Self::rows) may ever draw any: where it may not, no kernel is linked or asked.
+    #[inline(always)]
+    fn has_kernels(&self) -> bool
+    where
+        Self: Sized,
+    {
+        false
+    }
+
     /// Has all rows of a triangle drawn by a kernel: whether it knew how to. If not, nothing was drawn: the spans follow.
     #[inline(always)]
     fn rows<K: Kernel>(&mut self, sides: Sides<'_>) -> bool

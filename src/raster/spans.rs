@@ -38,15 +38,26 @@ pub struct SpansBy<K>(PhantomData<K>);
 impl<K: Kernel> Traversal for SpansBy<K> {
     #[inline]
     fn spans<E>(setup: &Setup, window: &Window, target: &mut impl DrawSpan<E>) -> Result<(), E> {
-        let (top, bottom) = short_rows(setup, window);
-        if top >= bottom {
-            let rows = rows(setup, window);
-            return if rows.is_empty() { Ok(()) } else { long(setup, rows).rows(&window.columns, target) };
+        if !target.has_kernels() {
+            return Spans::spans(setup, window, target);
         }
-        let found = K::sides(SmallTriangle::new(setup, top..bottom));
-        let trapezoids = found.trapezoids();
-        let sides = kernel::Sides { trapezoids, columns: &window.columns };
-        if target.rows::<K>(sides) { Ok(()) } else { trapezoids.rows(&window.columns, target) }
+        let (top, bottom) = short_rows(setup, window);
+        let trapezoids = if top < bottom {
+            let found = K::sides(SmallTriangle::new(setup, top..bottom));
+            let trapezoids = found.trapezoids();
+            if target.rows::<K>(kernel::Sides { trapezoids, columns: &window.columns }) {
+                return Ok(());
+            }
+            // One walk is linked for each shader, not two: that of the stages that no kernel takes the place of.
+            Trapezoids::from_short(trapezoids)
+        } else {
+            let rows = rows(setup, window);
+            if rows.is_empty() {
+                return Ok(());
+            }
+            long(setup, rows)
+        };
+        trapezoids.rows(&window.columns, target)
     }
 }
 

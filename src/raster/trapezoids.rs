@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::edge::Edge;
+use super::edge::{Dda, Edge, ShortEdge};
 use super::{DrawSpan, Span};
 use crate::setup::Setup;
 use crate::snapped::first_centre;
@@ -77,11 +77,21 @@ impl<S: Edge> Trapezoids<S> {
     }
 }
 
+impl Trapezoids<Dda> {
+    /// The same rows.
+    #[inline(never)]
+    pub(super) fn from_short(short: &Trapezoids<ShortEdge>) -> Self {
+        let &Trapezoids { top, turn, bottom, left, right, lower, lower_is_right } = short;
+        let (left, right, lower) = (left.into(), right.into(), lower.into());
+        Self { top, turn, bottom, left, right, lower, lower_is_right }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use core::mem::{offset_of, size_of};
 
-    use super::super::edge::{FRACTION_BITS, ShortEdge};
+    use super::super::edge::FRACTION_BITS;
     use super::*;
 
     // Red when a field of either is moved, or an edge has other fraction bits: kernels in assembly have these numbers.

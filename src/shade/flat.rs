@@ -69,6 +69,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
     type Varying = ();
     type Triangle = P;
     const PERSPECTIVE: bool = false;
+    const KERNELS: bool = true;
 
     fn uniforms(&self) -> Uniforms<'a> {
         Uniforms::NONE

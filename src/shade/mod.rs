@@ -196,6 +196,9 @@ pub trait PixelShader<'a, P>: Copy {
         run: Run<'_, P, D>,
     );
 
+    /// Whether [`for_kernel`](Self::for_kernel) may ever give something.
+    const KERNELS: bool = false;
+
     /// Where a [`Kernel`](crate::stages::Kernel) gets the colours of some cells from, if there are kernels for such cells and
     /// colours; and the cells as words, one for each, in their order.
     #[inline(always)]

@@ -109,6 +109,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     type Varying = C::Varying;
     type Triangle = C::Triangle;
     const PERSPECTIVE: bool = C::PERSPECTIVE;
+    const KERNELS: bool = C::KERNELS;
 
     fn uniforms(&self) -> Uniforms<'a> {
         Uniforms { texture: self.texture, words: self.correction.words() }

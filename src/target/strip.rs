@@ -206,6 +206,8 @@ pub(crate) struct Cells<'r, P, D: Depth> {
 impl<P: Copy, D: Depth> Surface<P, D> for Cells<'_, P, D> {
     type Error = Infallible;
 
+    const KERNELS: bool = D::KERNELS;
+
     #[inline(always)]
     fn span<'a, S: PixelShader<'a, P>>(
         &mut self,

@@ -163,18 +163,30 @@ fn kernels_get_whole_triangles_inside_of_the_strip_and_nothing_else() {
     assert!(drawn[..2] == [0, 0] && drawn[2] > 200, "{drawn:?}");
 }
 
+/// Spans of triangles that a kernel is asked for, and does not draw.
+struct Asked(Vec<Span>);
+
+impl DrawSpan<Infallible> for Asked {
+    fn has_kernels(&self) -> bool {
+        true
+    }
+
+    fn draw(&mut self, span: Span) -> Result<(), Infallible> {
+        self.0.push(span);
+        Ok(())
+    }
+}
+
 // Red when `ShortEdge::suits` takes edges that are lower, triangles that are wider or higher, or vertices left of the window.
 #[test]
 fn kernels_find_the_sides_of_small_triangles_and_of_no_others() {
     let asked = |corners: [[i32; 2]; 3]| {
         let (setup, _) = Setup::new(corners.map(|[x, y]| Snapped::from_bits(x, y))).expect("an area");
         let window = Window { columns: 0..60, rows: 0..60 };
-        let (mut spans, mut expected) = (Vec::new(), Vec::new());
+        let (mut spans, mut expected) = (Asked(Vec::new()), Vec::new());
         SIDES.set(0);
-        let Ok(()) = SpansBy::<ByHand>::walk::<Infallible>(&setup, &window, |span| {
-            spans.push(span);
-            Ok(())
-        });
+        let Ok(()) = SpansBy::<ByHand>::spans::<Infallible>(&setup, &window, &mut spans);
+        let Asked(spans) = spans;
         let Ok(()) = Spans::walk::<Infallible>(&setup, &window, |span| {
             expected.push(span);
             Ok(())

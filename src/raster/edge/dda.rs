@@ -3,6 +3,7 @@
 use core::num::NonZeroU32;
 
 use super::Edge;
+use super::short::{FRACTION_BITS, ShortEdge};
 use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 use crate::snapped::{Snapped, first_centre};
 
@@ -65,6 +66,23 @@ impl Edge for Dda {
     #[inline(always)]
     fn column(&self) -> i32 {
         self.column
+    }
+}
+
+/// A height of 2^20 has the short edge's fraction bits for a remainder: what is missing from the next column, less a step.
+impl From<ShortEdge> for Dda {
+    #[inline(always)]
+    fn from(short: ShortEdge) -> Self {
+        let (place, slope) = short.steps();
+        let (one, whole) = (1 << FRACTION_BITS, |steps: i32| steps >> FRACTION_BITS);
+        let below = one - 1;
+        Self {
+            column: whole(place),
+            remainder: !place & below,
+            slope: whole(slope),
+            slope_remainder: slope & below,
+            height: one,
+        }
     }
 }
 

@@ -110,6 +110,14 @@ impl Edge for ShortEdge {
     }
 }
 
+impl ShortEdge {
+    /// Where it is, and what is added from row to row, in steps of 2^-20 columns.
+    #[inline(always)]
+    pub(super) const fn steps(self) -> (i32, i32) {
+        (self.place, self.slope)
+    }
+}
+
 #[cfg(test)]
 impl ShortEdge {
     /// Of the place and the slope, in bytes.
@@ -131,17 +139,20 @@ mod tests {
         // From every row that a window can start in.
         for top in rows.clone() {
             let (mut short, mut exact) = (ShortEdge::new(upper, lower, top), Dda::new(upper, lower, top));
+            let mut converted = Dda::from(short);
             for row in top..rows.end {
                 assert_eq!(short.column(), exact.column(), "{upper:?} {lower:?}, row {row} from {top}");
+                assert_eq!(converted.column(), exact.column(), "{upper:?} {lower:?}, row {row} from {top}");
                 short.step();
                 exact.step();
+                converted.step();
                 count += 1;
             }
         }
         count
     }
 
-    // Red when an edge is not moved, when its slope lacks what is missing from the estimate, or has 18 fraction bits.
+    // Red when one is converted to a Dda without its fraction, or with that of its slope rounded; when an edge is not moved, when its slope lacks what is missing from the estimate, or has 18 fraction bits.
     #[test]
     fn short_edges_are_those_of_the_dda() {
         let mut state = 1_u64;

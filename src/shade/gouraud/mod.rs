@@ -82,6 +82,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     type Varying = Channels;
     type Triangle = ();
     const PERSPECTIVE: bool = false;
+    const KERNELS: bool = true;
 
     fn uniforms(&self) -> Uniforms<'a> {
         Uniforms::NONE

@@ -18,6 +18,7 @@ impl Correction for Affine {
     type Varying = [Attribute; 2];
     type Triangle = ();
     const PERSPECTIVE: bool = false;
+    const KERNELS: bool = true;
 
     fn words(self) -> [u32; 2] {
         [0; 2]

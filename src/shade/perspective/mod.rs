@@ -72,6 +72,9 @@ pub trait Correction: Copy {
         sampler: &mut impl Sampler<T>,
     );
 
+    /// Whether [`for_kernel`](Self::for_kernel) may ever give something.
+    const KERNELS: bool = false;
+
     /// How a [`Kernel`](crate::stages::Kernel) finds the texels of a triangle, from column 0 of its first row on: nothing where
     /// it may not, or the method has more to it than kernels know.
     #[inline(always)]

@@ -23,6 +23,7 @@ impl Correction for PerPixel {
     type Varying = OverW;
     type Triangle = TexelBox;
     const PERSPECTIVE: bool = true;
+    const KERNELS: bool = true;
 
     fn words(self) -> [u32; 2] {
         [0; 2]

@@ -88,6 +88,7 @@ impl Correction for Within {
     type Varying = OverW;
     type Triangle = Bent;
     const PERSPECTIVE: bool = true;
+    const KERNELS: bool = true;
 
     fn words(self) -> [u32; 2] {
         [self.error, self.affine]
@@ -148,7 +149,7 @@ impl Correction for Within {
         }
     }
 
-    /// Kernels draw small triangles only, and none of these has a run of [`WORTH_SUBSPANS`].
+    /// Kernels draw small triangles only, and none of these has a run that subspans are worth.
     #[inline(always)]
     fn for_kernel<'a>(
         self,
