@@ -1,5 +1,6 @@
 //! What a list holds, whatever its colours, its depth and its shaders are: so the code that fills it is linked once.
 
+use core::num::NonZeroU32;
 use core::slice::Iter;
 
 use super::draw::Seen;
@@ -8,6 +9,7 @@ use super::placed::{Placed, UNSEEN};
 use super::{DrawError, ListTriangle, MAX_NAMED, Stats};
 use crate::clip::{MOST_CORNERS, Outcode, Polygon, least};
 use crate::math::format::Coord;
+use crate::math::product;
 use crate::retained::Records;
 use crate::setup::{Cull, canonical, facing};
 use crate::snapped::{Snapped, first_centre};
@@ -28,8 +30,17 @@ pub(super) struct Contents<'a> {
     pub(super) records: Records,
 }
 
-/// Keeps the shader of so many vertices, and says where: its place, and the first word of its vertices.
-type Keep<'k, 'a> = &'k mut dyn FnMut(&mut Contents<'a>, usize) -> Result<(u8, usize), DrawError>;
+/// Keeps the shader of so many vertices, and says where.
+type Keep<'k, 'a> = &'k mut dyn FnMut(&mut Contents<'a>, usize) -> Result<Home, DrawError>;
+
+/// Where the shader of a draw is kept, and its vertices.
+pub(super) struct Home {
+    pub(super) kept: u8,
+    /// The first word of the shader's vertices.
+    pub(super) base: usize,
+    /// Which of them is the draw's first.
+    pub(super) first: usize,
+}
 
 impl<'a> Contents<'a> {
     /// Nothing, with room for as much as these hold.
@@ -46,8 +57,8 @@ impl<'a> Contents<'a> {
         }
     }
 
-    /// Adds a mesh if any of it can be seen: `keep` says where the shader of so many vertices is kept, and where the first
-    /// word of those is. Where there are no words for its own, as many are used as before.
+    /// Adds a mesh if any of it can be seen: `keep` says where the shader of so many vertices is kept. Where there are no words
+    /// for its own, as many are used as before.
     #[inline(never)]
     pub(super) fn place(&mut self, seen: &Seen<'_>, keep: Keep<'_, 'a>) -> Result<(), DrawError> {
         let &Seen { camera, mesh, pose, shaded, layout } = seen;
@@ -62,12 +73,12 @@ impl<'a> Contents<'a> {
         }
         let before = self.used_words;
         // With all of its faces cut.
-        let (kept, base) = keep(self, vertices + MOST_CORNERS * faces)?;
+        let Home { kept, base, first } = keep(self, vertices + MOST_CORNERS * faces)?;
         self.size = [viewport.width(), viewport.height()];
         self.stats.faces += faces;
         let placed = Placed { colours: shaded, stride: layout.stride, kept, base };
         let start = self.used_words;
-        let first = self.room(&placed, vertices, faces, before)?;
+        self.room(&placed, vertices, faces, before)?;
         let drawing = &Drawing { transform, mesh, shaded, layout, placed };
         let placed = &drawing.placed;
         drawing.vertices(self.words.get_mut(start..).unwrap_or_default());
@@ -87,28 +98,35 @@ impl<'a> Contents<'a> {
         left_out.result(self.free())
     }
 
-    /// Goes on behind the vertices of a shader, whose first word is `base`, as long as as many more can be named.
-    pub(super) fn follow(&mut self, base: usize, stride: usize, vertices: usize) -> bool {
-        let named = (self.used_words - base + stride - 1).checked_div(stride).unwrap_or_default();
-        let follows = named + vertices <= MAX_NAMED;
-        if follows {
-            // Other shaders' vertices may lie between: the next ones start at a whole number of these.
-            self.used_words = base + named * stride;
+    /// Goes on behind the vertices of a shader, whose first word is `base`, as long as as many more can be named: from which
+    /// on.
+    pub(super) fn follow(&mut self, base: usize, stride: usize, vertices: usize) -> Option<usize> {
+        let named = self.named(base, stride);
+        if named + vertices > MAX_NAMED {
+            return None;
         }
-        follows
+        // Other shaders' vertices may lie between: the next ones start at a whole number of these.
+        self.used_words = base + named * stride;
+        Some(named)
     }
 
-    /// Takes words for the vertices of a draw: which of its shader's is the first. Where there are not as many, as many
-    /// words are used as `before` the draw.
+    /// How many vertices of a shader there would be in the words from its first one to the last that is used: rounded up, and
+    /// of more than 32 bits, as many as those can count.
+    #[inline(never)]
+    fn named(&self, base: usize, stride: usize) -> usize {
+        let words = u32::try_from(self.used_words - base + stride - 1).unwrap_or(u32::MAX);
+        let stride = NonZeroU32::new(stride as u32).unwrap_or(NonZeroU32::MIN);
+        product::divided(words, stride).0 as usize
+    }
+
+    /// Takes words for the vertices of a draw. Where there are not as many, as many words are used as `before` the draw.
     pub(super) fn room(
         &mut self,
         placed: &Placed<'_>,
         vertices: usize,
         faces: usize,
         before: usize,
-    ) -> Result<usize, DrawError> {
-        let start = self.used_words;
-        let first = (start - placed.base).checked_div(placed.stride()).unwrap_or_default();
+    ) -> Result<(), DrawError> {
         let words = vertices * placed.stride();
         if !self.reserve(words) {
             // Without padding.
@@ -116,7 +134,7 @@ impl<'a> Contents<'a> {
             self.used_words = before;
             return Err(DrawError::Full { triangles: faces, words: missing });
         }
-        Ok(first)
+        Ok(())
     }
 
     /// Words that are not used.
@@ -223,7 +241,7 @@ impl<'a> Contents<'a> {
         let Drawing { placed, .. } = drawing;
         let stride = placed.stride();
         let start = self.used_words;
-        let first = (start - placed.base).checked_div(stride).unwrap_or_default();
+        let first = self.named(placed.base, stride);
         let words = polygon.len() * stride;
         if first + polygon.len() > MAX_NAMED || !self.reserve(words) {
             left_out.triangles += polygon.len().saturating_sub(2);

@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::contents::Home;
 use super::drawing::{Layout, Shaded, VertexShader};
 use super::render;
 use super::{Block, Contents, DrawError, DrawFn, DrawList, Kept, Shaders};
@@ -64,28 +65,32 @@ pub(super) fn forget<P, D: Depth>(
     }
 }
 
-/// Where a shader is kept, and the first word of its vertices: the same place as an equal one before it, as long as its
-/// triangles can name as many `vertices` more.
+/// Where a shader is kept: in the same place as an equal one before it, as long as its triangles can name as many `vertices`
+/// more.
 pub(super) fn keep<'a, P, D: Depth>(
     shaders: &mut Shaders<'a, P, D>,
     contents: &mut Contents<'_>,
     uniforms: &Uniforms<'a>,
     &Kind { draw, layout: Layout { stride, .. } }: &Kind<'a, P, D>,
     vertices: usize,
-) -> Result<(u8, usize), DrawError> {
+) -> Result<Home, DrawError> {
     // What comes now may need the words that planes are kept in.
     contents.records = Records::NONE;
     let stride = usize::from(stride);
     for (place, kept) in shaders.iter().enumerate() {
         let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms.is(uniforms);
-        if same && contents.follow(kept.block.base(), stride, vertices) {
-            return Ok((place as u8, kept.block.base()));
+        if !same {
+            continue;
+        }
+        let base = kept.block.base();
+        if let Some(first) = contents.follow(base, stride, vertices) {
+            return Ok(Home { kept: place as u8, base, first });
         }
     }
     let base = contents.used_words;
     let block = Block::new(base, stride);
     shaders.push(Kept { uniforms: *uniforms, draw, block }).map_err(|_| DrawError::TooManyShaders)?;
-    Ok(((shaders.len() - 1) as u8, base))
+    Ok(Home { kept: (shaders.len() - 1) as u8, base, first: 0 })
 }
 
 /// A mesh before a camera, and what its vertices carry.

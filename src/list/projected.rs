@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Size;
 
-use super::contents::{Contents, Faces, LeftOut};
+use super::contents::{Contents, Faces, Home, LeftOut};
 use super::draw::{Kind, forget, keep};
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
@@ -122,19 +122,19 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let (before, shaders_before) = (contents.used_words, shaders.len());
         let uniforms = shader.uniforms();
         let kind = &const { Kind::projected::<T, S>() };
-        let (kept, base) = keep(shaders, contents, &uniforms, kind, count)?;
+        let Home { kept, base, first } = keep(shaders, contents, &uniforms, kind, count)?;
         contents.size = [viewport.width(), viewport.height()];
         contents.stats.faces += faces.len();
         let placed = Placed { colours: &colours, stride: kind.layout.stride, kept, base };
         let start = contents.used_words;
         let room = contents.room(&placed, count, faces.len(), before);
-        if let Ok(first) = room {
+        if room.is_ok() {
             let words = contents.words.get_mut(start..contents.used_words).unwrap_or_default();
             write::<P, D, S>(&viewport, vertices, words);
             return contents.add_seen(&placed, first, faces);
         }
         forget(shaders, contents, before, shaders_before);
-        room.map(|_| ())
+        room
     }
 }
 

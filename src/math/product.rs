@@ -1,8 +1,10 @@
-//! Products of 32 bits in 64, and shifts of them.
+//! Products of 32 bits in 64, and shifts of them; and quotients of 32 bits.
 //!
 //! A Cortex-M0+ multiplies 32 bits into the low 32, and would call for a product of 64 bits by 64: four products of 16
-//! bits take half the time. A shift of 64 bits would be a call as well. Chips that have the instructions use them. The
-//! result is the same.
+//! bits take half the time. A shift of 64 bits would be a call as well, and a division one of 400 bytes. Chips that have the
+//! instructions use them. The result is the same.
+
+use core::num::NonZeroU32;
 
 /// Chips of Arm without compare-and-swap are those without `umull`: ARMv6-M.
 pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
@@ -49,6 +51,28 @@ pub(crate) fn down(x: u64, by: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn up(x: u64, by: u32) -> u64 {
     if NARROW { up_by_words(x, by) } else { x << by }
+}
+
+/// Quotient, rounded down, and remainder.
+#[inline(always)]
+pub(crate) fn divided(dividend: u32, divisor: NonZeroU32) -> (u32, u32) {
+    if NARROW { divided_by_bits(dividend, divisor) } else { (dividend / divisor, dividend % divisor) }
+}
+
+/// As many steps as the quotient has bits: most have few.
+#[inline(never)]
+fn divided_by_bits(dividend: u32, divisor: NonZeroU32) -> (u32, u32) {
+    let (mut rest, mut part, mut bit, mut quotient) = (dividend, divisor.get(), 1, 0);
+    while part <= rest >> 1 {
+        (part, bit) = (part << 1, bit << 1);
+    }
+    while bit != 0 {
+        if rest >= part {
+            (rest, quotient) = (rest - part, quotient | bit);
+        }
+        (part, bit) = (part >> 1, bit >> 1);
+    }
+    (quotient, rest)
 }
 
 #[inline(always)]
@@ -143,6 +167,22 @@ mod tests {
             assert_eq!(signed(a, b), i64::from(a) * i64::from(b), "{a:#x} {b:#x}");
         }
         assert!(told > 300_000, "{told}");
+    }
+
+    // Red when a bit of the quotient is left out, or a rest that is as large as the part of it is not taken.
+    #[test]
+    fn bits_make_the_whole_quotient() {
+        let ends = [0, 1, 2, 3, 0x7FFF, 0x8000, 0xFFFF, 0x1_0000, 0x7FFF_FFFF, 0x8000_0000, u32::MAX];
+        let mut state = 1_u32;
+        let mut random = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            state >> (state & 31)
+        };
+        let pairs = ends.iter().flat_map(|&a| ends.map(|b| (a, b)));
+        for (a, b) in pairs.chain((0..100_000).map(|_| (random(), random()))) {
+            let Some(b) = NonZeroU32::new(b) else { continue };
+            assert_eq!(divided_by_bits(a, b), (a / b, a % b), "{a} / {b}");
+        }
     }
 
     // Red when a bit is lost between the words, or at the ends of a shift's range.

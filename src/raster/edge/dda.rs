@@ -5,6 +5,7 @@ use core::num::NonZeroU32;
 use super::Edge;
 use super::short::{FRACTION_BITS, ShortEdge};
 use crate::math::format::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
+use crate::math::product;
 use crate::snapped::{Snapped, first_centre};
 
 /// An edge as quotient and remainder.
@@ -99,9 +100,10 @@ impl Dda {
         let remainder = self.remainder.unsigned_abs();
         if sum > remainder {
             let missing = sum - remainder;
-            let columns = (missing - 1) / height + 1;
-            self.column += columns as i32;
-            self.remainder = (columns * height.get() - missing).cast_signed();
+            // As many columns more as bring it back to 0 or above.
+            let (columns, rest) = product::divided(missing - 1, height);
+            self.column += columns as i32 + 1;
+            self.remainder = (height.get() - 1 - rest).cast_signed();
         } else {
             self.remainder = (remainder - sum).cast_signed();
         }
@@ -113,7 +115,7 @@ impl Dda {
 fn floor_divide(dx: i32, height: NonZeroU32) -> (i32, u32) {
     let size = dx.unsigned_abs();
     let (quotient, remainder) =
-        if size < height.get() { (0, size) } else { (size / height, size - size / height * height.get()) };
+        if size < height.get() { (0, size) } else { product::divided(size, height) };
     if dx >= 0 {
         (quotient as i32, remainder)
     } else if remainder == 0 {
