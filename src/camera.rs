@@ -71,13 +71,14 @@ pub struct Orthographic(Placed);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MatrixCamera<const PERSPECTIVE: bool> {
     matrix: Matrix,
-    size: Size,
+    /// Of a camera in a `const`, what finds it is not linked.
+    viewport: Result<Viewport, TooLarge>,
 }
 
 impl<const PERSPECTIVE: bool> MatrixCamera<PERSPECTIVE> {
     /// A camera for a target of `size` pixels that takes the scene to clip space by `matrix`.
     pub const fn new(size: Size, matrix: Matrix) -> Self {
-        Self { matrix, size }
+        Self { matrix, viewport: Viewport::new(size) }
     }
 }
 
@@ -89,14 +90,14 @@ impl<const PERSPECTIVE: bool> Camera for MatrixCamera<PERSPECTIVE> {
     }
 
     fn viewport(&self) -> Result<Viewport, TooLarge> {
-        Viewport::new(self.size)
+        self.viewport
     }
 }
 
 /// A projection, the view before it, and their product.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Placed {
-    size: Size,
+    viewport: Result<Viewport, TooLarge>,
     projection: [[f32; 4]; 4],
     matrix: Matrix,
 }
@@ -179,7 +180,7 @@ impl Camera for Perspective {
     }
 
     fn viewport(&self) -> Result<Viewport, TooLarge> {
-        Viewport::new(self.0.size)
+        self.0.viewport
     }
 }
 
@@ -191,7 +192,7 @@ impl Camera for Orthographic {
     }
 
     fn viewport(&self) -> Result<Viewport, TooLarge> {
-        Viewport::new(self.0.size)
+        self.0.viewport
     }
 }
 
@@ -205,7 +206,7 @@ fn aspect(size: Size) -> f32 {
 impl Placed {
     #[inline(never)]
     fn new(size: Size, projection: [[f32; 4]; 4]) -> Self {
-        Self { size, projection, matrix: Matrix::from_floats(projection) }
+        Self { viewport: Viewport::new(size), projection, matrix: Matrix::from_floats(projection) }
     }
 
     #[inline(never)]
