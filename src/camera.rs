@@ -270,7 +270,7 @@ impl Matrix {
         }
         let [a, b, c, d] = rows;
         let wide = [aligned(a, largest), aligned(b, largest), aligned(c, largest), aligned(d, largest)];
-        Self::normalised(wide, 150 + 32 - largest)
+        Self::normalised(&wide, 150 + 32 - largest)
     }
 }
 

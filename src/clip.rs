@@ -8,6 +8,7 @@
 use heapless::Vec;
 
 use crate::attributes::{Carried, Fraction};
+use crate::math::product;
 use crate::snapped::Snapped;
 use crate::transform::{Position, Projection};
 
@@ -138,7 +139,7 @@ fn crossing(
 ///
 /// Bit by bit: few triangles are clipped, and a division of 64 bits would take a kilobyte of code.
 fn fraction(part: u64, whole: u64) -> Fraction {
-    let spare = whole.leading_zeros();
+    let spare = product::leading_zeros(whole);
     let (mut rest, whole) =
         if spare < 31 { (part >> (31 - spare), whole >> (31 - spare)) } else { (part, whole) };
     if rest >= whole {

@@ -104,7 +104,7 @@ impl Pose {
             scaled_row(r2, scale, z),
             scaled_row([I2F30::ZERO; 3], scale, Length::ONE),
         ];
-        Matrix::normalised(wide, 32)
+        Matrix::normalised(&wide, 32)
     }
 }
 

@@ -41,24 +41,26 @@ impl Transform {
     #[inline(never)]
     pub(crate) fn new(viewport: Viewport, matrix: &Matrix, mesh: &Mesh<'_>, pose: &Pose) -> Self {
         let projection = Projection::centred(viewport);
-        let whole = matrix.times(&pose.of_box(mesh.centre(), mesh.half()));
+        let mut rows = *matrix.times(&pose.of_box(mesh.centre(), mesh.half())).rows();
         // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
         let reach = projection.reach_log2 + 1;
         let factors = [viewport.width(), -viewport.height(), 1 << reach, 1 << reach];
-        let mut rows = whole.rows().iter();
-        let wide = factors.map(|factor| {
-            let row = rows.next().copied().unwrap_or_default();
-            row.map(|element| product::signed(element, factor) >> reach)
-        });
         // The largest coordinate in the mesh's cube decides the power of two: 30 bits of it are kept.
-        let largest = |bits: u64, row: &[i64; 4]| bits | row.iter().fold(0, |sum, e| sum + e.unsigned_abs());
-        let shift = wide.iter().fold(0, largest).leading_zeros() as i32 - 34;
-        let moved = |e: i64| if shift >= 0 { e << shift } else { e >> -shift };
-        let mut rows = [[0; 4]; 4];
-        for (to, from) in rows.iter_mut().zip(&wide) {
-            for (column, (to, &e)) in to.iter_mut().zip(from).enumerate() {
+        let mut largest = 0;
+        for (row, factor) in rows.iter_mut().zip(factors) {
+            let mut sum = 0;
+            for element in row {
+                *element = part(*element, factor, reach);
+                sum += element.unsigned_abs();
+            }
+            largest |= sum;
+        }
+        let shift = largest.leading_zeros() as i32 - 2;
+        for row in &mut rows {
+            for (column, element) in row.iter_mut().enumerate() {
+                let moved = if shift >= 0 { *element << shift } else { *element >> -shift };
                 // A position counts 2^-16 of the cube instead of 2^-15, which the high half of a product gives.
-                *to = (moved(e) as i32) << u32::from(column < 3);
+                *element = moved << u32::from(column < 3);
             }
         }
         let [_, _, _, [.., w]] = rows;
@@ -102,6 +104,12 @@ impl Transform {
             || beyond(y, reach, height)
             || beyond(y, -reach, height)
     }
+}
+
+/// `element * factor / 2^reach`, rounded down, of less than 2^30 and of at most as much as is divided by: 2^13.
+#[inline]
+fn part(element: i32, factor: i32, reach: u32) -> i32 {
+    ((element >> 16) * factor << (16 - reach)) + ((element & 0xFFFF) * factor >> reach)
 }
 
 /// Whether a sum of two rows, each times a factor, is negative in all of a box: in the best corner of it.
@@ -264,7 +272,8 @@ impl Projection {
         let (top, bottom) = self.viewport.guard(self.viewport.height());
         let [cx, cy] = self.centre;
         let scale = SUBPIXEL_BITS + self.reach_log2;
-        let (x, y) = (i64::from(at.x) << scale, i64::from(at.y) << scale);
+        let up = |c: Clip| product::up(i64::from(c).cast_unsigned(), scale).cast_signed();
+        let (x, y) = (up(at.x), up(at.y));
         let side = |from_centre: i32| product::signed(at.w, from_centre);
         [x - side(left - cx), side(right - cx) - x, y - side(top - cy), side(bottom - cy) - y]
     }

@@ -44,11 +44,14 @@ impl Area {
             let (less, borrow) = rest.overflowing_sub(1);
             (rest, high) = (less, high.wrapping_sub(borrow.into()));
         }
-        let quotient = if shift > 32 {
-            high.wrapping_add(1 << (shift - 33)).cast_signed() >> (shift - 32)
-        } else {
-            (high << (32 - shift)).wrapping_add((u64::from(rest) + (1 << (shift - 1))) >> shift).cast_signed()
-        };
+        // In halves, of which one is added; from words, as a shift of 64 bits may be a call.
+        let (middle, top) = (high as u32, (high >> 32) as u32);
+        let by = shift - 1;
+        let [low, middle, top] =
+            if by < 32 { [rest, middle, top] } else { [middle, top, (top.cast_signed() >> 31).cast_unsigned()] };
+        let shifted = |low: u32, high: u32| low >> (by & 31) | high << 1 << (!by & 31);
+        let halves = u64::from(shifted(middle, top)) << 32 | u64::from(shifted(low, middle));
+        let quotient = halves.wrapping_add(1).cast_signed() >> 1;
         if negative { -quotient } else { quotient }
     }
 }

@@ -41,7 +41,7 @@ impl Matrix {
             wide[i / 4][i % 4] = rows[i / 4][i % 4].to_bits() as i64;
             i += 1;
         }
-        Self::normalised(wide, 16)
+        Self::normalised(&wide, 16)
     }
 
     /// The mantissas of a row, in 2^-30 to 2^30.
@@ -64,28 +64,26 @@ impl Matrix {
     #[inline(never)]
     pub fn times(&self, other: &Self) -> Self {
         let wide = self.rows.map(|row| product(&row, &other.rows));
-        Self::normalised(wide, self.exponent.saturating_add(other.exponent))
+        Self::normalised(&wide, self.exponent.saturating_add(other.exponent))
     }
 
     /// Rounds wide elements so that the largest has 30 bits.
-    pub(crate) const fn normalised(wide: [[i64; 4]; 4], exponent: i32) -> Self {
-        let mut bits = 0;
-        let mut i = 0;
-        while i < 16 {
-            bits |= wide[i / 4][i % 4].unsigned_abs();
-            i += 1;
+    #[inline(never)]
+    pub(crate) const fn normalised(wide: &[[i64; 4]; 4], exponent: i32) -> Self {
+        let (mut bits, mut rest) = (0, wide.as_flattened());
+        while let [element, tail @ ..] = rest {
+            bits |= element.unsigned_abs();
+            rest = tail;
         }
-        if bits == 0 {
-            return Self::NOWHERE;
-        }
-        let shift = bits.leading_zeros() as i32 - 34;
+        let shift = product::leading_zeros(bits) as i32 - 34;
         let mut rows = [[0; 4]; 4];
-        let mut i = 0;
-        while i < 16 {
-            rows[i / 4][i % 4] = shifted(wide[i / 4][i % 4], shift);
-            i += 1;
+        let (mut from, mut to) = (wide.as_flattened(), rows.as_flattened_mut());
+        while let ([wide, from_tail @ ..], [element, to_tail @ ..]) = (from, to) {
+            *element = shifted(*wide, shift);
+            (from, to) = (from_tail, to_tail);
         }
-        Self { rows, exponent: exponent.saturating_add(shift) }
+        // Nowhere has one exponent.
+        Self { rows, exponent: if bits == 0 { 0 } else { exponent.saturating_add(shift) } }
     }
 }
 
@@ -98,16 +96,25 @@ fn product(row: &[i32; 4], rows: &[[i32; 4]; 4]) -> [i64; 4] {
     })
 }
 
-/// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1).
+/// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1), of what is at most 2^30 then: from words, as a shift of 64
+/// bits may be a call.
 const fn shifted(value: i64, shift: i32) -> i32 {
-    const LIMIT: i64 = (1 << 30) - 1;
-    let moved = if shift >= 0 { value << shift } else { ((value >> (-shift - 1)) + 1) >> 1 };
+    const LIMIT: i32 = (1 << 30) - 1;
+    let (low, high) = (value as u32, (value >> 32) as i32);
+    if shift >= 0 {
+        return (low << shift).cast_signed();
+    }
+    // Of halves there are up to 2^31.
+    let down = (-shift - 1).cast_unsigned();
+    let halves =
+        if down < 32 { (low >> down | high.cast_unsigned() << 1 << (31 - down)).cast_signed() } else { high >> (down & 31) };
+    let moved = (halves >> 1) + (halves & 1);
     if moved > LIMIT {
-        LIMIT as i32
+        LIMIT
     } else if moved < -LIMIT {
-        -LIMIT as i32
+        -LIMIT
     } else {
-        moved as i32
+        moved
     }
 }
 

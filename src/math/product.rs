@@ -53,6 +53,14 @@ pub(crate) fn up(x: u64, by: u32) -> u64 {
     if NARROW { up_by_words(x, by) } else { x << by }
 }
 
+/// Zeros before the highest bit.
+#[inline(never)]
+pub(crate) const fn leading_zeros(x: u64) -> u32 {
+    let high = (x >> 32) as u32;
+    let (above, word) = if high == 0 { (32, x as u32) } else { (0, high) };
+    above + word.leading_zeros()
+}
+
 /// Quotient, rounded down, and remainder.
 #[inline(always)]
 pub(crate) fn divided(dividend: u32, divisor: NonZeroU32) -> (u32, u32) {
