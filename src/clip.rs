@@ -42,20 +42,15 @@ impl Outcode {
     #[inline(never)]
     fn of_distances(at: &Position, projection: &Projection) -> Self {
         let mut code = 0;
-        let distances = distances(at, projection);
-        for (plane, distance) in distances.into_iter().enumerate() {
-            code |= u8::from(distance < 0) << plane;
+        for plane in 0..PLANES {
+            code |= u8::from(projection.distance(at, plane) < 0) << plane;
         }
         Self(code)
     }
 }
 
-/// Distances to all planes, in any unit: negative outside.
-#[inline(never)]
-fn distances(at: &Position, projection: &Projection) -> [i64; 6] {
-    let [left, right, top, bottom] = projection.guard_distances(at);
-    [i64::from(at.z), i64::from(at.w) - i64::from(at.z), left, right, top, bottom]
-}
+/// Near, far, left, right, top, bottom.
+const PLANES: u8 = 6;
 
 /// What of the triangle in the first of two places is inside all planes that `crossed` names, in the triangle's order: in
 /// either of them, as each plane cuts from one into the other.
@@ -66,12 +61,9 @@ pub(crate) fn clip<'p>(
     [polygon, kept]: &'p mut [Polygon; 2],
 ) -> &'p Polygon {
     let (mut polygon, mut kept) = (polygon, kept);
-    for plane in 0..6 {
+    for plane in 0..PLANES {
         if crossed.0 >> plane & 1 != 0 {
-            let distance = |vertex: &ClipVertex| {
-                distances(&vertex.position, projection).get(plane).copied().unwrap_or_default()
-            };
-            cut(polygon, distance, mix, kept);
+            cut(polygon, |vertex| projection.distance(&vertex.position, plane), mix, kept);
             core::mem::swap(&mut polygon, &mut kept);
         }
     }
@@ -82,11 +74,15 @@ pub(crate) fn clip<'p>(
 /// from there is the same whichever vertex the polygon was found from, and whichever way round.
 #[inline(never)]
 pub(crate) fn least(polygon: &Polygon, snapped: &dyn Fn(&ClipVertex, usize) -> Snapped) -> usize {
-    let least = polygon.iter().enumerate().min_by_key(|&(place, vertex)| {
+    let (mut least, mut first) = ([i32::MAX; 6], 0);
+    for (place, vertex) in polygon.iter().enumerate() {
         let (at, (x, y)) = (vertex.position, snapped(vertex, place).bits());
-        [y, x, at.w, at.z, at.x, at.y]
-    });
-    least.map_or(0, |(place, _)| place)
+        let key = [y, x, at.w, at.z, at.x, at.y];
+        if key < least {
+            (least, first) = (key, place);
+        }
+    }
+    first
 }
 
 /// The part of a polygon where `distance` is not negative, as `kept`. Each plane adds at most one vertex to a convex
@@ -197,7 +193,7 @@ mod tests {
             let mut other =
                 || random(&[0, w, -w, w + 1, w - 1, 1 - w, -1 - w, most, -most]).clamp(-most, most);
             let at = Position { x: other(), y: other(), z: other(), w };
-            let inside = distances(&at, &projection).iter().all(|&distance| distance >= 0);
+            let inside = (0..PLANES).all(|plane| projection.distance(&at, plane) >= 0);
             assert!(inside || !projection.surely_inside(&at), "{at:?}");
             sure += u32::from(projection.surely_inside(&at));
         }

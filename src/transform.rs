@@ -81,10 +81,10 @@ impl Transform {
 
     /// The same in less code, for few vertices.
     #[inline(never)]
-    pub(crate) fn position_of_one(&self, vertex: [i16; 3]) -> Position {
+    pub(crate) fn position_of_one(&self, vertex: &[i16; 3]) -> Position {
         #[inline(never)]
-        fn one(row: &[i32; 4], vertex: [i16; 3]) -> Clip {
-            coordinate(row, vertex)
+        fn one(row: &[i32; 4], vertex: &[i16; 3]) -> Clip {
+            coordinate(row, *vertex)
         }
         let [x, y, z, w] = &self.rows;
         Position { x: one(x, vertex), y: one(y, vertex), z: one(z, vertex), w: one(w, vertex) }
@@ -144,7 +144,7 @@ impl Transform {
         for corner in 0..8 {
             let ([low_x, low_y, low_z], [high_x, high_y, high_z]) = (low, high);
             let pick = |bit: u8, low, high| if corner >> bit & 1 == 0 { low } else { high };
-            let at = self.position_of_one([
+            let at = self.position_of_one(&[
                 pick(0, low_x, high_x),
                 pick(1, low_y, high_y),
                 pick(2, low_z, high_z),
@@ -185,6 +185,8 @@ pub(crate) struct Projection {
     pub(crate) viewport: Viewport,
     /// The viewport's centre, in steps of 1/256 px.
     centre: [Clip; 2],
+    /// The guard rectangle's least and greatest x, and its y.
+    guard: [[Clip; 2]; 2],
     /// x = w is this power of two of pixels from the centre.
     pub(crate) reach_log2: u32,
     /// Whether the guard rectangle reaches as far, on all sides.
@@ -237,23 +239,27 @@ impl Words for PerVertexInverse {
 impl Projection {
     /// For cameras: the centre of the viewport is (0, 0), and the reach is at least half its longer side.
     pub(crate) fn centred(viewport: Viewport) -> Self {
-        let centre = [viewport.width(), viewport.height()].map(|length| length << (SUBPIXEL_BITS - 1));
-        let longest = viewport.width().max(viewport.height()).max(2).unsigned_abs();
-        // Of the power of two that it fits in, half.
-        let reach_log2 = 31 - (longest - 1).leading_zeros();
+        let (width, height) = (viewport.width(), viewport.height());
+        // Of the power of two that the longest side fits in, half.
+        let reach_log2 = 31 - (width.max(height).max(2) - 1).leading_zeros();
         let reach = 1 << (reach_log2 + SUBPIXEL_BITS);
-        let beyond = |length: i32, centre: i32| {
-            let (low, high) = viewport.guard(length);
-            centre - low >= reach && high - centre >= reach
-        };
-        let [x, y] = centre;
-        let roomy = beyond(viewport.width(), x) && beyond(viewport.height(), y);
-        Self { viewport, centre, reach_log2, roomy }
+        let (cx, cy) = (width << (SUBPIXEL_BITS - 1), height << (SUBPIXEL_BITS - 1));
+        let projection = Self::from_centre(viewport, [cx, cy], reach_log2);
+        // The guard rectangle has the same centre.
+        let [[left, _], [top, _]] = projection.guard;
+        Self { roomy: cx - left >= reach && cy - top >= reach, ..projection }
     }
 
     /// For flat drawings: x and y are pixels, w is one.
     pub(crate) fn of_pixels(viewport: Viewport) -> Self {
-        Self { viewport, centre: [0, 0], reach_log2: 0, roomy: false }
+        Self::from_centre(viewport, [0, 0], 0)
+    }
+
+    #[inline]
+    fn from_centre(viewport: Viewport, centre: [Clip; 2], reach_log2: u32) -> Self {
+        let guard = |length| <[Clip; 2]>::from(viewport.guard(length));
+        let guard = [guard(viewport.width()), guard(viewport.height())];
+        Self { viewport, centre, guard, reach_log2, roomy: false }
     }
 
     /// Whether a position is easily seen to be inside all planes: most are.
@@ -265,17 +271,22 @@ impl Projection {
         self.roomy && w | z | w.wrapping_sub(z) | of(x) | of(y) >= 0
     }
 
-    /// Distances to the four sides of the guard rectangle, left, right, top and bottom, in 1/256 of the reach:
-    /// negative outside. Linear in the position, so that clipping can take a proportion of them.
-    pub(crate) fn guard_distances(&self, at: &Position) -> [i64; 4] {
-        let (left, right) = self.viewport.guard(self.viewport.width());
-        let (top, bottom) = self.viewport.guard(self.viewport.height());
-        let [cx, cy] = self.centre;
+    /// The distance to a plane, in any unit: negative outside. Near, far, left, right, top or bottom side of the guard
+    /// rectangle. Linear in the position, so that clipping can take a proportion of it.
+    #[inline(never)]
+    pub(crate) fn distance(&self, at: &Position, plane: u8) -> i64 {
+        let ([cx, cy], [[left, right], [top, bottom]]) = (self.centre, self.guard);
         let scale = SUBPIXEL_BITS + self.reach_log2;
-        let up = |c: Clip| product::up(i64::from(c).cast_unsigned(), scale).cast_signed();
-        let (x, y) = (up(at.x), up(at.y));
-        let side = |from_centre: i32| product::signed(at.w, from_centre);
-        [x - side(left - cx), side(right - cx) - x, y - side(top - cy), side(bottom - cy) - y]
+        let (along, scale, side) = match plane {
+            0 => (at.z, 0, 0),
+            1 => (at.z, 0, 1),
+            2 => (at.x, scale, left - cx),
+            3 => (at.x, scale, right - cx),
+            4 => (at.y, scale, top - cy),
+            _ => (at.y, scale, bottom - cy),
+        };
+        let distance = product::up(i64::from(along).cast_unsigned(), scale).cast_signed() - product::signed(at.w, side);
+        if plane & 1 == 0 { distance } else { -distance }
     }
 
     /// One over w, for [`project`](Self::project).
@@ -313,8 +324,7 @@ impl Projection {
     /// A position in steps of 1/256 px, or the nearest inside the guard rectangle.
     #[inline]
     pub(crate) fn held(&self, x: Clip, y: Clip) -> Snapped {
-        let (left, right) = self.viewport.guard(self.viewport.width());
-        let (top, bottom) = self.viewport.guard(self.viewport.height());
+        let [[left, right], [top, bottom]] = self.guard;
         Snapped::from_bits(x.max(left).min(right), y.max(top).min(bottom))
     }
 }

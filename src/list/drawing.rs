@@ -136,11 +136,16 @@ impl Drawing<'_> {
     /// Writes a polygon's vertices, from one of them on.
     #[inline(never)]
     pub(super) fn store_from(&self, place: usize, polygon: &Polygon, mut words: &mut [u32]) {
-        let (before, from) = polygon.split_at_checked(place).unwrap_or_default();
-        for vertex in from.iter().chain(before) {
+        let mut place = place;
+        for _ in 0..polygon.len() {
             let Some((here, rest)) = words.split_at_mut_checked(self.placed.stride()) else { break };
+            let Some(vertex) = polygon.get(place) else { break };
             self.store(here, &vertex.position, &vertex.carried);
             words = rest;
+            place += 1;
+            if place == polygon.len() {
+                place = 0;
+            }
         }
     }
 
@@ -158,8 +163,10 @@ impl Drawing<'_> {
         places: &'p mut [Polygon; 2],
     ) -> &'p Polygon {
         let [triangle, _] = &mut *places;
-        for vertex in corners.map(usize::from) {
-            let position = self.mesh.positions().get(vertex).copied().unwrap_or_default();
+        for &corner in &corners {
+            let vertex = usize::from(corner);
+            // A mesh has all that its faces name.
+            let Some(position) = self.mesh.positions().get(vertex) else { break };
             let position = self.transform.position_of_one(position);
             let _ = triangle.push(ClipVertex { position, carried: self.shaded.vertex(vertex) });
         }

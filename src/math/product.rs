@@ -34,11 +34,11 @@ pub(crate) fn scaled(a: u32, b: u32, rounding: u32) -> u32 {
 /// `(a * b - less) >> by`, of products that are at least `less`, which is 0 or 1, and below 2^63: for a `by` below 64.
 #[inline(always)]
 pub(crate) fn unsigned_down(a: u32, b: u32, less: u32, by: u32) -> u32 {
-    if NARROW && by >= 32 {
-        high_by_halves(a, b, less, by & 31).unwrap_or_else(|| whole_down(a, b, less, by))
-    } else {
-        down(unsigned(a, b) - u64::from(less), by)
+    if !NARROW {
+        return down(unsigned(a, b) - u64::from(less), by);
     }
+    let high = if by < 32 { None } else { high_by_halves(a, b, less, by & 31) };
+    high.unwrap_or_else(|| whole_down(a, b, less, by))
 }
 
 /// The low half of `x >> by`, for a `by` below 64.
