@@ -63,7 +63,14 @@ impl Matrix {
     #[must_use]
     #[inline(never)]
     pub fn times(&self, other: &Self) -> Self {
-        let wide = self.rows.map(|row| product(&row, &other.rows));
+        // Mantissas have at most 30 bits and a sign: four products fit.
+        let element = |row: &[i32; 4], column: usize| row.get(column).copied().unwrap_or_default();
+        let wide = core::array::from_fn(|row| {
+            let row = self.row(row);
+            core::array::from_fn(|column| {
+                row.iter().zip(&other.rows).map(|(&factor, row)| product::signed(factor, element(row, column))).sum()
+            })
+        });
         Self::normalised(&wide, self.exponent.saturating_add(other.exponent))
     }
 
@@ -85,15 +92,6 @@ impl Matrix {
         // Nowhere has one exponent.
         Self { rows, exponent: if bits == 0 { 0 } else { exponent.saturating_add(shift) } }
     }
-}
-
-/// A row times a matrix. Mantissas have at most 30 bits and a sign: four products fit.
-#[inline(never)]
-fn product(row: &[i32; 4], rows: &[[i32; 4]; 4]) -> [i64; 4] {
-    core::array::from_fn(|column| {
-        let element = |row: &[i32; 4]| row.get(column).copied().unwrap_or_default();
-        row.iter().zip(rows).map(|(&factor, row)| product::signed(factor, element(row))).sum()
-    })
 }
 
 /// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1), of what is at most 2^30 then: from words, as a shift of 64
