@@ -53,27 +53,24 @@ impl Pose {
     /// Turns about the scene's x axis, from y towards z.
     #[must_use]
     pub fn turned_x(mut self, turn: Turn) -> Self {
-        let [x, y, z] = self.rotation;
-        let (y, z) = rotated(turn, y, z);
-        self.rotation = [x, y, z];
+        let [_, y, z] = &mut self.rotation;
+        rotate(turn, y, z);
         self
     }
 
     /// Turns about the scene's y axis, from z towards x.
     #[must_use]
     pub fn turned_y(mut self, turn: Turn) -> Self {
-        let [x, y, z] = self.rotation;
-        let (z, x) = rotated(turn, z, x);
-        self.rotation = [x, y, z];
+        let [x, _, z] = &mut self.rotation;
+        rotate(turn, z, x);
         self
     }
 
     /// Turns about the scene's z axis, from x towards y.
     #[must_use]
     pub fn turned_z(mut self, turn: Turn) -> Self {
-        let [x, y, z] = self.rotation;
-        let (x, y) = rotated(turn, x, y);
-        self.rotation = [x, y, z];
+        let [x, y, _] = &mut self.rotation;
+        rotate(turn, x, y);
         self
     }
 
@@ -129,12 +126,12 @@ fn saturated(steps: i64) -> i32 {
     steps.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }
 
-/// Two rows of a rotation, turned from the first towards the second; rounded to nearest.
-fn rotated(turn: Turn, from: Row, to: Row) -> (Row, Row) {
+/// Turns two rows of a rotation, from the first towards the second; rounded to nearest.
+fn rotate(turn: Turn, from: &mut Row, to: &mut Row) {
     let (sin, cos) = (turn.sin(), turn.cos());
-    let ([a, b, c], [d, e, f]) = (from, to);
-    let mix = |u: i32, v: i32| [mixed(a, u, d, v), mixed(b, u, e, v), mixed(c, u, f, v)];
-    (mix(cos, -sin), mix(sin, cos))
+    for (a, b) in from.iter_mut().zip(to) {
+        (*a, *b) = (mixed(*a, cos, *b, -sin), mixed(*a, sin, *b, cos));
+    }
 }
 
 /// `a u + b v`, rounded to nearest.
