@@ -25,8 +25,8 @@ impl Area {
     /// Of the plane through three values, along an axis.
     #[inline(never)]
     pub(super) fn gradient(&self, axis: &Axis, values: &[i32; 3]) -> Gradient {
-        let [a, b, c] = values.map(i64::from);
-        let gradient = self.quotient(times(b - a, axis.second) - times(c - a, axis.first));
+        let &[a, b, c] = values;
+        let gradient = self.quotient(times(a, b, axis.second) - times(a, c, axis.first));
         Gradient { low: gradient as i32, over_256: (gradient >> 8) as i32 }
     }
 
@@ -56,11 +56,11 @@ impl Area {
     }
 }
 
-/// A difference of two values of 32 bits, times a difference of two places.
-#[inline]
-fn times(difference: i64, along: i32) -> i64 {
-    let size = product::unsigned(difference.unsigned_abs() as u32, along.unsigned_abs()).cast_signed();
-    if (difference < 0) != (along < 0) { -size } else { size }
+/// The difference of two values, times a difference of two places.
+#[inline(never)]
+fn times(from: i32, to: i32, along: i32) -> i64 {
+    let size = product::unsigned(from.abs_diff(to), along.unsigned_abs()).cast_signed();
+    if (to < from) != (along < 0) { -size } else { size }
 }
 
 #[cfg(test)]

@@ -141,7 +141,7 @@ pub(crate) fn vertex(w: u32) -> Reciprocal {
 }
 
 /// The reciprocal of a number whose highest bit is set, by one Newton step from the table.
-#[inline(always)]
+#[inline(never)]
 fn newton(normalised: u32) -> u32 {
     let seed = seed(normalised);
     // r' = r (2 - x r), with x r in 47 fraction bits: 2 - x r is about 1, and has 31 of them left.
