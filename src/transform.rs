@@ -41,7 +41,8 @@ impl Transform {
     #[inline(never)]
     pub(crate) fn new(viewport: Viewport, matrix: &Matrix, mesh: &Mesh<'_>, pose: &Pose) -> Self {
         let projection = Projection::centred(viewport);
-        let mut rows = *matrix.times(&pose.of_box(mesh.centre(), mesh.half())).rows();
+        let mut whole = matrix.times(&pose.of_box(mesh.centre(), mesh.half()));
+        let rows = whole.rows_mut();
         // x and y in units of the reach: a power of two, so that the divide by w ends in a shift. Screen y grows down.
         let reach = projection.reach_log2 + 1;
         let factors = [viewport.width(), -viewport.height(), 1 << reach, 1 << reach];
@@ -56,15 +57,15 @@ impl Transform {
             largest |= sum;
         }
         let shift = largest.leading_zeros() as i32 - 2;
-        for row in &mut rows {
+        for row in rows.iter_mut() {
             for (column, element) in row.iter_mut().enumerate() {
                 let moved = if shift >= 0 { *element << shift } else { *element >> -shift };
                 // A position counts 2^-16 of the cube instead of 2^-15, which the high half of a product gives.
                 *element = moved << u32::from(column < 3);
             }
         }
-        let [_, _, _, [.., w]] = rows;
-        Self { rows, projection, level_inverse: Projection::inverse(w) }
+        let &mut [_, _, _, [.., w]] = rows;
+        Self { rows: *rows, projection, level_inverse: Projection::inverse(w) }
     }
 
     /// A vertex of the mesh in clip space.

@@ -50,8 +50,8 @@ impl Matrix {
     }
 
     /// All mantissas.
-    pub(crate) const fn rows(&self) -> &[[i32; 4]; 4] {
-        &self.rows
+    pub(crate) const fn rows_mut(&mut self) -> &mut [[i32; 4]; 4] {
+        &mut self.rows
     }
 
     /// The power of two that the elements share: an element is its mantissa times 2 to the minus this.
