@@ -56,14 +56,14 @@ impl<'w> Retained<'w> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Records {
     start: usize,
-    end: usize,
+    length: usize,
     /// The first row of the strip that they are for.
     row: i32,
 }
 
 impl Records {
     /// For no strip.
-    pub(crate) const NONE: Self = Self { start: 0, end: 0, row: -1 };
+    pub(crate) const NONE: Self = Self { start: 0, length: 0, row: -1 };
 
     /// For a strip of some rows, at least one: its own go to the longer part of the words, before those that are taken or
     /// behind them.
@@ -71,16 +71,16 @@ impl Records {
         if self.row != rows.start {
             *self = Self::NONE;
         }
-        let Self { start, end, .. } = *self;
-        let taken = words.get(start..end).unwrap_or_default();
-        let (before, behind) = (words.get(..start).unwrap_or_default(), words.get(end..).unwrap_or_default());
-        let (start, put) = if before.len() > behind.len() { (0, before) } else { (end, behind) };
-        *self = Self { start, end: start + put.len(), row: rows.end };
+        let (before, rest) = words.split_at_checked(self.start).unwrap_or_default();
+        let (taken, behind) = rest.split_at_checked(self.length).unwrap_or_default();
+        let (start, put) =
+            if before.len() > behind.len() { (0, before) } else { (self.start + self.length, behind) };
+        *self = Self { start, length: put.len(), row: rows.end };
         Retained { top: rows.start, taken, bottom: rows.end, put }
     }
 
     /// When the strip is drawn.
     pub(crate) const fn end(&mut self, retained: &Retained<'_>) {
-        self.end -= retained.put.len();
+        self.length -= retained.put.len();
     }
 }
