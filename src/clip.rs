@@ -85,8 +85,14 @@ pub(crate) fn least(polygon: &Polygon, snapped: &dyn Fn(&ClipVertex, usize) -> S
     first
 }
 
-/// The part of a polygon where `distance` is not negative, as `kept`. Each plane adds at most one vertex to a convex
-/// polygon: with three at first, `push` cannot fail.
+/// One vertex more, of which there is room for as many as there can be: each plane adds at most one to a convex polygon,
+/// which has three at first.
+#[inline(never)]
+pub(crate) fn add(polygon: &mut Polygon, vertex: &ClipVertex) {
+    let _ = polygon.push(*vertex);
+}
+
+/// The part of a polygon where `distance` is not negative, as `kept`.
 fn cut(polygon: &Polygon, distance: impl Fn(&ClipVertex) -> i64, mix: Mix<'_>, kept: &mut Polygon) {
     kept.clear();
     let Some(mut previous) = polygon.last() else { return };
@@ -99,10 +105,10 @@ fn cut(polygon: &Polygon, distance: impl Fn(&ClipVertex) -> i64, mix: Mix<'_>, k
             } else {
                 crossing(previous, before, vertex, here, mix)
             };
-            let _ = kept.push(crossing);
+            add(kept, &crossing);
         }
         if here >= 0 {
-            let _ = kept.push(*vertex);
+            add(kept, vertex);
         }
         (previous, before) = (vertex, here);
     }

@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use heapless::Vec;
 
 use crate::attributes::{Carried, Words, carried, mixed};
-use crate::clip::{ClipVertex, MOST_CORNERS, Mix, Outcode, Polygon, clip, least};
+use crate::clip::{ClipVertex, MOST_CORNERS, Mix, Outcode, Polygon, add, clip, least};
 use crate::depth::NoDepth;
 use crate::math::format::{Attribute, SUBPIXELS};
 use crate::pipeline::{self, Vertices};
@@ -171,7 +171,7 @@ fn fan(
         let position = position(point);
         let Outcode(planes) = Outcode::new(&position, projection);
         (all, any) = (all & planes, any | planes);
-        let _ = triangle.push(ClipVertex { position, carried });
+        add(triangle, &ClipVertex { position, carried });
     }
     if all != 0 {
         return;

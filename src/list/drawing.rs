@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
 use crate::attributes::{Carried, Fraction, Words, carried, mixed};
-use crate::clip::{ClipVertex, Outcode, Polygon, clip};
+use crate::clip::{ClipVertex, Outcode, Polygon, add, clip};
 use crate::depth::Depth;
 use crate::math::recip::Reciprocal;
 use crate::mesh::Mesh;
@@ -168,7 +168,7 @@ impl Drawing<'_> {
             // A mesh has all that its faces name.
             let Some(position) = self.mesh.positions().get(vertex) else { break };
             let position = self.transform.position_of_one(position);
-            let _ = triangle.push(ClipVertex { position, carried: self.shaded.vertex(vertex) });
+            add(triangle, &ClipVertex { position, carried: self.shaded.vertex(vertex) });
         }
         let mix = |from: &Carried, to: &Carried, at| self.shaded.mix(from, to, at);
         clip(planes, &self.transform.projection, &mix, places)
