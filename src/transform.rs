@@ -56,7 +56,7 @@ impl Transform {
             }
             largest |= sum;
         }
-        let shift = largest.leading_zeros() as i32 - 2;
+        let shift = product::leading_zeros(u64::from(largest)) as i32 - 34;
         for row in rows.iter_mut() {
             for (column, element) in row.iter_mut().enumerate() {
                 let moved = if shift >= 0 { *element << shift } else { *element >> -shift };
@@ -242,7 +242,8 @@ impl Projection {
     pub(crate) fn centred(viewport: Viewport) -> Self {
         let (width, height) = (viewport.width(), viewport.height());
         // Of the power of two that the longest side fits in, half.
-        let reach_log2 = 31 - (width.max(height).max(2) - 1).leading_zeros();
+        let longest = width.max(height).max(2).unsigned_abs();
+        let reach_log2 = 63 - product::leading_zeros(u64::from(longest - 1));
         let reach = 1 << (reach_log2 + SUBPIXEL_BITS);
         let (cx, cy) = (width << (SUBPIXEL_BITS - 1), height << (SUBPIXEL_BITS - 1));
         let projection = Self::from_centre(viewport, [cx, cy], reach_log2);
@@ -286,7 +287,8 @@ impl Projection {
             4 => (at.y, scale, top - cy),
             _ => (at.y, scale, bottom - cy),
         };
-        let distance = product::up(i64::from(along).cast_unsigned(), scale).cast_signed() - product::signed(at.w, side);
+        let distance =
+            product::up(i64::from(along).cast_unsigned(), scale).cast_signed() - product::signed(at.w, side);
         if plane & 1 == 0 { distance } else { -distance }
     }
 
@@ -444,6 +446,29 @@ mod tests {
             }
         }
         assert!(missed.iter().all(|&missed| missed > 100), "{missed:?}");
+    }
+
+    // Red when the low half is left out, or is rounded another way.
+    #[test]
+    fn a_part_is_rounded_down() {
+        let mut state = 1_u64;
+        for round in 0..100_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let (element, reach) = ((state >> 32) as i32 >> (1 + round % 31), 1 + round as u32 % 13);
+            for element in [element, (1 << 30) - 1, 1 - (1 << 30)] {
+                let most = 1 << reach;
+                for factor in [(state >> 8) as i32 & (most - 1), most - 1, most] {
+                    for factor in [factor, -factor] {
+                        let exact = (i64::from(element) * i64::from(factor)) >> reach;
+                        assert_eq!(
+                            i64::from(part(element, factor, reach)),
+                            exact,
+                            "{element} {factor} {reach}"
+                        );
+                    }
+                }
+            }
+        }
     }
 
     // Red when a half is rounded away from zero, or the rest of a negative coordinate is dropped the other way.

@@ -47,8 +47,11 @@ impl Area {
         // In halves, of which one is added; from words, as a shift of 64 bits may be a call.
         let (middle, top) = (high as u32, (high >> 32) as u32);
         let by = shift - 1;
-        let [low, middle, top] =
-            if by < 32 { [rest, middle, top] } else { [middle, top, (top.cast_signed() >> 31).cast_unsigned()] };
+        let [low, middle, top] = if by < 32 {
+            [rest, middle, top]
+        } else {
+            [middle, top, (top.cast_signed() >> 31).cast_unsigned()]
+        };
         let shifted = |low: u32, high: u32| low >> (by & 31) | high << 1 << (!by & 31);
         let halves = u64::from(shifted(middle, top)) << 32 | u64::from(shifted(low, middle));
         let quotient = halves.wrapping_add(1).cast_signed() >> 1;

@@ -68,7 +68,10 @@ impl Matrix {
         let wide = core::array::from_fn(|row| {
             let row = self.row(row);
             core::array::from_fn(|column| {
-                row.iter().zip(&other.rows).map(|(&factor, row)| product::signed(factor, element(row, column))).sum()
+                row.iter()
+                    .zip(&other.rows)
+                    .map(|(&factor, row)| product::signed(factor, element(row, column)))
+                    .sum()
             })
         });
         Self::normalised(&wide, self.exponent.saturating_add(other.exponent))
@@ -104,8 +107,11 @@ const fn shifted(value: i64, shift: i32) -> i32 {
     }
     // Of halves there are up to 2^31.
     let down = (-shift - 1).cast_unsigned();
-    let halves =
-        if down < 32 { (low >> down | high.cast_unsigned() << 1 << (31 - down)).cast_signed() } else { high >> (down & 31) };
+    let halves = if down < 32 {
+        (low >> down | high.cast_unsigned() << 1 << (31 - down)).cast_signed()
+    } else {
+        high >> (down & 31)
+    };
     let moved = (halves >> 1) + (halves & 1);
     if moved > LIMIT {
         LIMIT
@@ -142,5 +148,29 @@ mod tests {
             assert!(product.row(0)[0].unsigned_abs() < 1 << 30);
         }
         assert_eq!(most.times(&Matrix::NOWHERE), Matrix::NOWHERE);
+    }
+
+    // Red when halves are rounded down, a bit is lost between the words, or what rounds up to one bit more is not held.
+    #[test]
+    fn an_element_is_shifted_and_rounded_to_nearest() {
+        let mut state = 1_u64;
+        for round in 0..200_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            // As far as the largest goes, which has 30 bits then.
+            let bits = 1 + round % 63;
+            let shift = 30 - bits;
+            let most = (1_i64 << (bits - 1) << 1).wrapping_sub(1);
+            for value in [(state >> 1).cast_signed() & most, most, most - 1] {
+                for value in [value, -value] {
+                    let exact = if shift >= 0 {
+                        i128::from(value) << shift
+                    } else {
+                        (i128::from(value) + (1 << (-shift - 1))) >> -shift
+                    };
+                    let held = exact.clamp(1 - (1 << 30), (1 << 30) - 1);
+                    assert_eq!(i128::from(shifted(value, shift)), held, "{value} {shift}");
+                }
+            }
+        }
     }
 }

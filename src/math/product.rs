@@ -1,8 +1,8 @@
-//! Products of 32 bits in 64, and shifts of them; and quotients of 32 bits.
+//! Products of 32 bits in 64, shifts of them, and zeros before them; and quotients of 32 bits.
 //!
 //! A Cortex-M0+ multiplies 32 bits into the low 32, and would call for a product of 64 bits by 64: four products of 16
-//! bits take half the time. A shift of 64 bits would be a call as well, and a division one of 400 bytes. Chips that have the
-//! instructions use them. The result is the same.
+//! bits take half the time. A shift of 64 bits would be a call as well, and so would be a division, of 400 bytes, and a count
+//! of zeros, of 100. Chips that have the instructions use them. The result is the same.
 
 use core::num::NonZeroU32;
 
@@ -54,11 +54,22 @@ pub(crate) fn up(x: u64, by: u32) -> u64 {
 }
 
 /// Zeros before the highest bit.
-#[inline(never)]
+#[inline(always)]
 pub(crate) const fn leading_zeros(x: u64) -> u32 {
+    if NARROW { zeros_by_steps(x) } else { x.leading_zeros() }
+}
+
+/// A step for each zero of a word: what is counted has few.
+#[inline(never)]
+const fn zeros_by_steps(x: u64) -> u32 {
     let high = (x >> 32) as u32;
-    let (above, word) = if high == 0 { (32, x as u32) } else { (0, high) };
-    above + word.leading_zeros()
+    let (mut word, mut zeros) = if high == 0 { (x as u32, 32) } else { (high, 0) };
+    while word >> 31 == 0 && zeros < 64 {
+        // It stays a loop.
+        core::hint::black_box(());
+        (word, zeros) = (word << 1, zeros + 1);
+    }
+    zeros
 }
 
 /// Quotient, rounded down, and remainder.
@@ -190,6 +201,16 @@ mod tests {
         for (a, b) in pairs.chain((0..100_000).map(|_| (random(), random()))) {
             let Some(b) = NonZeroU32::new(b) else { continue };
             assert_eq!(divided_by_bits(a, b), (a / b, a % b), "{a} / {b}");
+        }
+    }
+
+    // Red when the step to the high word is left out, or the last zero is not counted.
+    #[test]
+    fn all_leading_zeros_are_counted() {
+        for bit in 0..64 {
+            for x in [1 << bit, u64::MAX >> bit, 0x9E37_79B9_7F4A_7C15 >> bit, 0] {
+                assert_eq!(zeros_by_steps(x), x.leading_zeros(), "{x:#x}");
+            }
         }
     }
 

@@ -154,13 +154,12 @@ fn newton(normalised: u32) -> u32 {
 /// `shift` is negative where the area has more than 32 bits; it is rounded to nearest there.
 #[inline(never)]
 pub(crate) fn area(area2: u64) -> (u32, i32) {
-    let low = (area2 as u32).max(1);
+    let area2 = area2.max(1);
+    let shift = product::leading_zeros(area2) as i32 - 32;
     // Most triangles have less than 2^16 px²: no shift of 64 bits for those.
-    let (normalised, shift) = if area2 >> 32 == 0 {
-        let shift = low.leading_zeros();
-        (low << shift, shift as i32)
+    let (normalised, shift) = if shift >= 0 {
+        ((area2 as u32) << shift, shift)
     } else {
-        let shift = area2.leading_zeros() as i32 - 32;
         let rounded = (area2 >> (-shift - 1)).wrapping_add(1) >> 1;
         if rounded >> 32 == 0 { (rounded as u32, shift) } else { (1 << 31, shift - 1) }
     };

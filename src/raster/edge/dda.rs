@@ -114,8 +114,7 @@ impl Dda {
 #[inline]
 fn floor_divide(dx: i32, height: NonZeroU32) -> (i32, u32) {
     let size = dx.unsigned_abs();
-    let (quotient, remainder) =
-        if size < height.get() { (0, size) } else { product::divided(size, height) };
+    let (quotient, remainder) = if size < height.get() { (0, size) } else { product::divided(size, height) };
     if dx >= 0 {
         (quotient as i32, remainder)
     } else if remainder == 0 {
