@@ -61,8 +61,7 @@ impl<'a> Contents<'a> {
     /// for its own, as many are used as before.
     #[inline(never)]
     pub(super) fn place(&mut self, seen: &Seen<'_>, keep: Keep<'_, 'a>) -> Result<(), DrawError> {
-        let &Seen { camera, mesh, pose, shaded, layout } = seen;
-        let (viewport, matrix) = camera.view();
+        let &Seen { viewport, matrix, mesh, pose, shaded, layout } = seen;
         let viewport = viewport?;
         let transform = &Transform::new(viewport, matrix, mesh, pose);
         let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());

@@ -32,7 +32,9 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         let shaded = Shaded { mesh, shader, local: shader.local(mesh, pose), types: PhantomData };
         let uniforms = shader.pixel().uniforms();
         let kind = &const { Kind::of::<C, T, S::Pixel>() };
-        self.place(&Seen { camera, mesh, pose, shaded: &shaded, layout: &kind.layout }, &uniforms, kind)
+        let (viewport, matrix) = (camera.viewport(), camera.matrix());
+        let seen = Seen { viewport, matrix, mesh, pose, shaded: &shaded, layout: &kind.layout };
+        self.place(&seen, &uniforms, kind)
     }
 
     /// Adds a mesh, with its shader if any of it can be seen. This is linked once for each kind of list, and what it calls
@@ -95,22 +97,12 @@ pub(super) fn keep<'a, P, D: Depth>(
 
 /// A mesh before a camera, and what its vertices carry.
 pub(super) struct Seen<'m> {
-    pub(super) camera: &'m dyn Eye,
+    pub(super) viewport: Result<Viewport, TooLarge>,
+    pub(super) matrix: &'m Matrix,
     pub(super) mesh: &'m Mesh<'m>,
     pub(super) pose: &'m Pose,
     pub(super) shaded: &'m dyn VertexShader,
     pub(super) layout: &'m Layout,
-}
-
-/// What a camera knows.
-pub(super) trait Eye {
-    fn view(&self) -> (Result<Viewport, TooLarge>, &Matrix);
-}
-
-impl<C: Camera> Eye for C {
-    fn view(&self) -> (Result<Viewport, TooLarge>, &Matrix) {
-        (self.viewport(), self.matrix())
-    }
 }
 
 /// What all draws with a pixel shader share: the function that draws its pixels, and what the words of a vertex are.
