@@ -122,6 +122,7 @@ fn scaled_row(row: Row, scale: i32, moved: Length) -> [i64; 4] {
 }
 
 /// A number of steps, or the nearest of 32 bits.
+#[inline(never)]
 fn saturated(steps: i64) -> i32 {
     steps.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }
