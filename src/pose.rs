@@ -79,7 +79,7 @@ impl Pose {
         let point = point.map(|c| scaled(c, self.scale).to_bits());
         let [x, y, z] = &self.rotation;
         let [px, py, pz] = self.position;
-        let moved = |row, by: Length| by.saturating_add(Length::from_bits(dot(row, &point)));
+        let moved = |row, by: Length| Length::from_bits(dot(row, &point, by.to_bits()));
         [moved(x, px), moved(y, py), moved(z, pz)]
     }
 
@@ -88,7 +88,7 @@ impl Pose {
     /// `direction` has 30 fraction bits and length 1, and so has the result.
     pub(crate) fn to_model(self, direction: [i32; 3]) -> [i32; 3] {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
-        [[a, d, g], [b, e, h], [c, f, i]].map(|column| dot(&column, &direction))
+        [[a, d, g], [b, e, h], [c, f, i]].map(|column| dot(&column, &direction, 0))
     }
 
     /// The matrix from the cube of a mesh, ±1, that has `half` its edge and this `centre`, to the scene.
@@ -142,10 +142,11 @@ fn mixed(a: I2F30, u: i32, b: I2F30, v: i32) -> I2F30 {
     I2F30::from_bits(((sum + (1 << 29)) >> 30) as i32)
 }
 
-/// Rounded to nearest. Of each product, a step of the result and what is below it are added up apart: neither sum wraps.
+/// From some steps on, rounded to nearest. Of each product, a step of the result and what is below it are added up apart:
+/// neither sum wraps.
 #[inline(never)]
-fn dot(row: &Row, vector: &[i32; 3]) -> i32 {
-    let (mut steps, mut below) = (0, 1 << 29);
+fn dot(row: &Row, vector: &[i32; 3], from: i32) -> i32 {
+    let (mut steps, mut below) = (i64::from(from), 1 << 29);
     for (r, &v) in row.iter().zip(vector) {
         let product = product::signed(r.to_bits(), v);
         steps += product >> 30;
