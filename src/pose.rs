@@ -117,8 +117,11 @@ fn scaled(length: Length, scale: Length) -> Length {
 /// come with the scale.
 #[inline(never)]
 fn scaled_row(row: Row, scale: i32, moved: Length) -> [i64; 4] {
-    let [a, b, c] = row.map(|c| product::signed(c.to_bits(), scale) >> 14);
-    [a, b, c, i64::from(moved.to_bits()) << 16]
+    // Each where it belongs: three and one would be copied.
+    core::array::from_fn(|column| match row.get(column) {
+        Some(c) => product::signed(c.to_bits(), scale) >> 14,
+        None => i64::from(moved.to_bits()) << 16,
+    })
 }
 
 /// A number of steps, or the nearest of 32 bits.
