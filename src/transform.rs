@@ -110,7 +110,7 @@ impl Transform {
 /// `element * factor / 2^reach`, rounded down, of less than 2^30 and of at most as much as is divided by: 2^13.
 #[inline]
 fn part(element: i32, factor: i32, reach: u32) -> i32 {
-    ((element >> 16) * factor << (16 - reach)) + ((element & 0xFFFF) * factor >> reach)
+    (((element >> 16) * factor) << (16 - reach)) + (((element & 0xFFFF) * factor) >> reach)
 }
 
 /// Whether a sum of two rows, each times a factor, is negative in all of a box: in the best corner of it.
