@@ -104,9 +104,7 @@ static STEPS: [u8; 256] = {
     let mut steps = [0; 256];
     let mut i = 0;
     while i < steps.len() {
-        let step = QUARTER[i + 1] - QUARTER[i];
-        assert!(step <= u8::MAX as u16);
-        steps[i] = step as u8;
+        steps[i] = (QUARTER[i + 1] - QUARTER[i]) as u8;
         i += 1;
     }
     steps
