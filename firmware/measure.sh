@@ -60,11 +60,11 @@ mkdir "$work/tables"
 measure_bench
 measure_flash
 measure_panel
+measure_turn
 if [ "$mode" = --check ]; then
     compare_tables
     exit
 fi
-demo_animation
 mkdir -p "$tables"
 cp "$work"/tables/* "$tables/"
-[ ! -f "$work/demo.gif" ] || cp "$work/demo.gif" ../docs/
+cp "$work/demo.gif" ../docs/

@@ -107,7 +107,7 @@ fn the_figures_of_the_readme_are_those_of_the_tables() {
         })
         .collect();
     assert!(wrong.is_empty(), "README.md, what it costs:\n{}", wrong.join("\n"));
-    for table in ["panel: ", "ram: ", "flash: ", "rp2040: "] {
+    for table in ["turn: ", "panel: ", "ram: ", "flash: ", "rp2040: "] {
         assert!(rows.iter().any(|row| row[3].starts_with(table)), "no figure of {table}");
     }
 }

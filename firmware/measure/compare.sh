@@ -7,6 +7,7 @@ declare -A same=(
     [riscv.csv]=scene,method,opt_level,strip_rows,triangles,pixels,crc
     [flash.csv]=core,opt_level,draws
     [panel.csv]=panel,image,scene,left_out,crc
+    [turn.csv]=panel,image,scene,frames
     [ram.csv]=panel,image,strip_rows,strips,depths,list,tables
 )
 

@@ -56,9 +56,20 @@ measure_panel() {
     } >"$work/tables/ram.csv"
 }
 
-# One turn of the first scene.
-demo_animation() {
+# A whole turn of the first scene: as a table, and as an animation. Its first frame, which is sent as a whole, is not counted.
+measure_turn() {
     step 'a turn of the demo'
     node emulator/panel.js "$targets/$m0/release/dma" "$work/turn" 1 256
-    "$work/compare" "$work/turn" --gif "$work/demo.gif" >/dev/null
+    "$work/compare" "$work/turn" --gif "$work/demo.gif" >"$work/turn.csv"
+    {
+        compiler
+        echo 'panel,image,scene,frames,cycles_mean,cycles_slowest,slowest_frame,fps_mean_133mhz,fps_slowest_133mhz'
+        LC_ALL=C awk -F, -v OFS=, '
+            function of(cycles) { return sprintf("%.1f", 133000000 / cycles) }
+            NR > 1 && $2 > 0 { scene = $1; frames++; all += $4; if ($4 > most) { most = $4; slowest = $2 } }
+            END {
+                mean = sprintf("%.0f", all / frames)
+                print "240x240", "dma", scene, frames, mean, most, slowest, of(mean), of(most)
+            }' "$work/turn.csv"
+    } >"$work/tables/turn.csv"
 }

@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 use core::ops::Range;
+use core::slice::Iter;
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::prelude::PixelColor;
@@ -127,25 +128,40 @@ struct View<'l, 'a, P, D: Depth> {
 
 impl<P, D: Depth> View<'_, '_, P, D> {
     /// Draws those triangles that are in the window.
-    #[inline(never)]
     fn render(&self, target: &mut Rows<'_, P, D>) {
+        let mut rest = self.triangles.iter();
+        while let Some(next) = rest.clone().next() {
+            rest = self.render_alike(next.shader, rest, target);
+        }
+    }
+
+    /// Draws those that are in the window, up to the first there with another shader: what is left from that one on.
+    ///
+    /// Apart, so that the search for triangles is a loop of few registers, which finds their shader before it.
+    #[inline(never)]
+    fn render_alike<'t>(
+        &self,
+        shader: u8,
+        mut triangles: Iter<'t, ListTriangle>,
+        target: &mut Rows<'_, P, D>,
+    ) -> Iter<'t, ListTriangle> {
+        let kept = self.shaders.get(usize::from(shader));
+        let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.block.base()..)?)))
+        else {
+            return Iter::default();
+        };
         let rows = target.window.rows.clone();
-        for triangle in self.triangles {
+        loop {
+            let here = triangles.clone();
+            let Some(triangle) = triangles.next() else { return here };
             let [first, end] = triangle.rows;
             // Most triangles of a frame are in other strips.
             if i32::from(end) <= rows.start || i32::from(first) >= rows.end {
                 continue;
             }
-            self.render_one(triangle, target);
-        }
-    }
-
-    /// Apart, so that the search for triangles is a loop of few registers.
-    #[inline(never)]
-    fn render_one(&self, triangle: &ListTriangle, target: &mut Rows<'_, P, D>) {
-        let kept = self.shaders.get(usize::from(triangle.shader));
-        if let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.block.base()..)?)))
-        {
+            if triangle.shader != shader {
+                return here;
+            }
             (kept.draw)(&kept.uniforms, words, triangle, target);
         }
     }
