@@ -212,6 +212,13 @@ impl PerVertexInverse {
         Self(inverse.mantissa & !Self::SHIFT | (Self::SHIFT - inverse.shift.min(Self::SHIFT)))
     }
 
+    /// Three of them where all are in one power of two already: in [2^30, 2^31], in 31 fraction bits of it.
+    #[inline(always)]
+    pub(crate) fn of_one_power(three: [Self; 3]) -> Option<[u32; 3]> {
+        let [Self(a), Self(b), Self(c)] = three;
+        if ((a ^ b) | (a ^ c)) & Self::SHIFT == 0 { Some([a, b, c]) } else { None }
+    }
+
     /// Three of them in one power of two, at which the largest lies in [2^30, 2^31).
     #[inline]
     pub fn aligned(three: [Self; 3]) -> [i32; 3] {

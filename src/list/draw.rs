@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use super::contents::Home;
 use super::drawing::{Layout, Shaded, VertexShader};
 use super::render;
+use super::simple::{Simple, simplify};
 use super::{Block, Contents, DrawError, DrawFn, DrawList, Kept, Shaders};
 use crate::camera::Camera;
 use crate::depth::Depth;
@@ -47,10 +48,13 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         kind: &Kind<'a, P, D>,
     ) -> Result<(), DrawError> {
         let Self { contents, shaders, .. } = self;
-        let (words, kept) = (contents.used_words, shaders.len());
+        let (words, triangles, kept) = (contents.used_words, contents.used_triangles, shaders.len());
         let added =
             contents.place(seen, &mut |contents, vertices| keep(shaders, contents, uniforms, kind, vertices));
         forget(shaders, contents, words, kept);
+        if let Some(simple) = &kind.simple {
+            simplify(shaders, contents, simple, triangles);
+        }
         added
     }
 }
@@ -68,31 +72,35 @@ pub(super) fn forget<P, D: Depth>(
 }
 
 /// Where a shader is kept: in the same place as an equal one before it, as long as its triangles can name as many `vertices`
-/// more.
+/// more. Its simpler one, if it has one, is kept beside it.
 pub(super) fn keep<'a, P, D: Depth>(
     shaders: &mut Shaders<'a, P, D>,
     contents: &mut Contents<'_>,
     uniforms: &Uniforms<'a>,
-    &Kind { draw, layout: Layout { stride, .. } }: &Kind<'a, P, D>,
+    Kind { draw, simple, layout: Layout { stride, .. } }: &Kind<'a, P, D>,
     vertices: usize,
 ) -> Result<Home, DrawError> {
     // What comes now may need the words that planes are kept in.
     contents.records = Records::NONE;
-    let stride = usize::from(stride);
+    let stride = usize::from(*stride);
     for (place, kept) in shaders.iter().enumerate() {
-        let same = core::ptr::fn_addr_eq(kept.draw, draw) && kept.uniforms.is(uniforms);
-        if !same {
+        let Kept { block, .. } = kept;
+        if !kept.is(*draw, uniforms) || block.stride() != stride {
             continue;
         }
-        let base = kept.block.base();
-        if let Some(first) = contents.follow(base, stride, vertices) {
-            return Ok(Home { kept: place as u8, base, first });
+        if let Some(first) = contents.follow(block.base(), stride, vertices) {
+            return Ok(Home { kept: place as u8, base: block.base(), first });
         }
     }
-    let base = contents.used_words;
+    let (place, base) = (shaders.len(), contents.used_words);
     let block = Block::new(base, stride);
-    shaders.push(Kept { uniforms: *uniforms, draw, block }).map_err(|_| DrawError::TooManyShaders)?;
-    Ok(Home { kept: (shaders.len() - 1) as u8, base, first: 0 })
+    let mut push = |draw| shaders.push(Kept { uniforms: *uniforms, draw, block }).is_ok();
+    if push(*draw) && simple.as_ref().is_none_or(|simple| push(simple.draw)) {
+        Ok(Home { kept: place as u8, base, first: 0 })
+    } else {
+        shaders.truncate(place);
+        Err(DrawError::TooManyShaders)
+    }
 }
 
 /// A mesh before a camera, and what its vertices carry.
@@ -108,17 +116,19 @@ pub(super) struct Seen<'m> {
 /// What all draws with a pixel shader share: the function that draws its pixels, and what the words of a vertex are.
 pub(super) struct Kind<'a, P, D: Depth> {
     draw: DrawFn<'a, P, D>,
+    pub(super) simple: Option<Simple<'a, P, D>>,
     pub(super) layout: Layout,
 }
 
 impl<'a, P: Copy, D: Depth> Kind<'a, P, D> {
     /// Before a camera.
     const fn of<C: Camera, T: Traversal, S: PixelShader<'a, P>>() -> Self {
-        Self { draw: render::triangle::<P, D, T, S>, layout: Layout::of::<P, D, S>(C::PERSPECTIVE) }
+        Self { layout: Layout::of::<P, D, S>(C::PERSPECTIVE), ..Self::projected::<T, S>() }
     }
 
     /// Of vertices that are on the screen already.
     pub(super) const fn projected<T: Traversal, S: PixelShader<'a, P>>() -> Self {
-        Self { draw: render::triangle::<P, D, T, S>, layout: Layout::written::<P, D, S>() }
+        let layout = Layout::written::<P, D, S>();
+        Self { draw: render::triangle::<P, D, T, S>, simple: Simple::of::<T, S>(), layout }
     }
 }

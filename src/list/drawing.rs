@@ -125,11 +125,11 @@ impl Drawing<'_> {
         if let Some(depth) = self.layout.depth {
             put(depth(position, inverse));
         }
-        if self.layout.inverse {
-            PerVertexInverse::new(inverse).store(&mut put);
-        }
         for &word in carried.iter().take(usize::from(self.layout.carried)) {
             put(word);
+        }
+        if self.layout.inverse {
+            PerVertexInverse::new(inverse).store(&mut put);
         }
     }
 

@@ -20,6 +20,7 @@ mod drawing;
 mod placed;
 mod projected;
 mod render;
+mod simple;
 mod sort;
 mod storage;
 
@@ -52,7 +53,7 @@ impl ListTriangle {
 }
 
 /// Draws one triangle, with the vertices of its shader: one such function is linked for each shader that is used.
-type DrawFn<'a, P, D> = fn(&Uniforms<'a>, &[u32], &ListTriangle, &mut Rows<'_, P, D>);
+type DrawFn<'a, P, D> = fn(&Kept<'a, P, D>, &[u32], &ListTriangle, &mut Rows<'_, P, D>);
 
 /// A pixel shader as the list keeps it, the function that draws with it, and where its vertices are.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +61,13 @@ struct Kept<'a, P, D: Depth> {
     uniforms: Uniforms<'a>,
     draw: DrawFn<'a, P, D>,
     block: Block,
+}
+
+impl<'a, P, D: Depth> Kept<'a, P, D> {
+    /// Whether it draws by this function, with the same uniforms.
+    fn is(&self, draw: DrawFn<'a, P, D>, uniforms: &Uniforms<'a>) -> bool {
+        core::ptr::fn_addr_eq(self.draw, draw) && self.uniforms.is(uniforms)
+    }
 }
 
 /// The shaders of a list.
@@ -71,7 +79,7 @@ const MAX_STRIDE: usize = 8;
 /// The words of a shader's vertices: the first of them, and how many a vertex takes.
 ///
 /// Both fit one: a slice has at most as many bytes as half of all numbers can count, so the first word leaves three bits.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Block(usize);
 
 impl Block {
@@ -102,7 +110,8 @@ pub enum DrawError {
         words: usize,
     },
     /// The list already holds its 16 different shaders, or for one of them as many times 65 536 vertices, of which a mesh
-    /// may need nine a face where it is cut; nothing of the mesh is drawn.
+    /// may need nine a face where it is cut; nothing of the mesh is drawn. A texture by [`Within`](crate::Within) is two
+    /// shaders: it has an affine one.
     TooManyShaders,
     /// The camera's target is too large; nothing of the mesh is drawn.
     TooLarge(Size),

@@ -6,6 +6,7 @@ use super::contents::{Contents, Faces, Home, LeftOut};
 use super::draw::{Kind, forget, keep};
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
+use super::simple::simplify;
 use super::{DrawError, DrawList};
 use crate::attributes::Words;
 use crate::depth::Depth;
@@ -131,7 +132,12 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
         if room.is_ok() {
             let words = contents.words.get_mut(start..contents.used_words).unwrap_or_default();
             write::<P, D, S>(&viewport, vertices, words);
-            return contents.add_seen(&placed, first, faces);
+            let before = contents.used_triangles;
+            let added = contents.add_seen(&placed, first, faces);
+            if let Some(simple) = &kind.simple {
+                simplify(shaders, contents, simple, before);
+            }
+            return added;
         }
         forget(shaders, contents, before, shaders_before);
         room
@@ -189,10 +195,10 @@ fn write<'a, P, D: Depth, S: PixelShader<'a, P>>(
             }
         };
         D::vertex(|| vertex.depth.to_bits()).store(&mut put);
+        vertex.attributes.store(&mut put);
         if S::PERSPECTIVE {
             PerVertexInverse::new(Projection::inverse(vertex.w.to_bits())).store(&mut put);
         }
-        vertex.attributes.store(&mut put);
     }
 }
 

@@ -7,7 +7,7 @@ use core::slice::Iter;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::prelude::PixelColor;
 
-use super::{DrawList, ListTriangle, Shaders};
+use super::{DrawList, Kept, ListTriangle, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::pipeline::{self, Vertices};
@@ -15,7 +15,7 @@ use crate::pixel::Pixel;
 use crate::raster::Traversal;
 use crate::retained::Records;
 use crate::setup::Setup;
-use crate::shade::{PixelShader, Uniforms};
+use crate::shade::PixelShader;
 use crate::snapped::Snapped;
 use crate::target::{Rows, Strip};
 use crate::transform::PerVertexInverse;
@@ -162,22 +162,24 @@ impl<P, D: Depth> View<'_, '_, P, D> {
             if triangle.shader != shader {
                 return here;
             }
-            (kept.draw)(&kept.uniforms, words, triangle, target);
+            (kept.draw)(kept, words, triangle, target);
         }
     }
 }
 
-/// Draws one triangle of a list: one such function is linked for each shader that is used.
+/// Draws one triangle of a list: one such function is linked for each shader that is used. A vertex may have more words than it
+/// looks at: those of a shader that this is the simpler one of.
 pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P>>(
-    uniforms: &Uniforms<'a>,
+    kept: &Kept<'a, P, D>,
     words: &[u32],
     triangle: &ListTriangle,
     target: &mut Rows<'_, P, D>,
 ) {
     let [a, b, c] = triangle.vertices;
-    let Some(a) = vertex::<P, D, S>(words, a) else { return };
-    let Some(b) = vertex::<P, D, S>(words, b) else { return };
-    let Some(c) = vertex::<P, D, S>(words, c) else { return };
+    let stride = kept.block.stride();
+    let Some(a) = vertex::<P, D, S>(words, stride, a) else { return };
+    let Some(b) = vertex::<P, D, S>(words, stride, b) else { return };
+    let Some(c) = vertex::<P, D, S>(words, stride, c) else { return };
     let Some(setup) = Setup::sorted([a.at, b.at, c.at]) else { return };
     let vertices = Vertices {
         depths: [a.depth, b.depth, c.depth],
@@ -185,7 +187,7 @@ pub(super) fn triangle<'a, P: Copy, D: Depth, T: Traversal, S: PixelShader<'a, P
         attributes: [a.attributes, b.attributes, c.attributes],
         colour: triangle.colour,
     };
-    let shader = S::from_uniforms(uniforms);
+    let shader = S::from_uniforms(&kept.uniforms);
     let (window, retained, cells) = target.lend();
     let retained = (retained, triangle.rows);
     let Ok(()) = pipeline::draw::<P, S, T, D, _, _>(&setup, shader, vertices, window, cells, retained);
@@ -199,7 +201,7 @@ struct Vertex<Z, A> {
     attributes: A,
 }
 
-/// Words of a vertex: x, y, and what depth, perspective and shader need.
+/// Words of a vertex: x, y, and what depth, shader and perspective need.
 pub(super) const fn stride<'a, P, D: Depth, S: PixelShader<'a, P>>() -> usize {
     const { assert!(D::Vertex::WORDS <= 1, "a vertex has one word of depth at most") };
     2 + D::Vertex::WORDS + S::PERSPECTIVE as usize + S::Vertex::WORDS
@@ -208,16 +210,23 @@ pub(super) const fn stride<'a, P, D: Depth, S: PixelShader<'a, P>>() -> usize {
 #[inline]
 fn vertex<'a, P, D: Depth, S: PixelShader<'a, P>>(
     words: &[u32],
+    stride: usize,
     vertex: u16,
 ) -> Option<Vertex<D::Varying, S::Vertex>> {
-    let stride = const { stride::<P, D, S>() };
     let at = usize::from(vertex) * stride;
-    let mut words = words.get(at..at + stride)?.iter().copied();
+    let mut words = words.get(at..at + const { self::stride::<P, D, S>() })?.iter().copied();
     let (x, y) = (words.next()?.cast_signed(), words.next()?.cast_signed());
-    Some(Vertex {
-        at: Snapped::from_bits(x, y),
-        depth: D::varying(D::Vertex::load(&mut words)?),
-        inverse: if S::PERSPECTIVE { PerVertexInverse::load(&mut words)? } else { PerVertexInverse::ONE },
-        attributes: S::Vertex::load(&mut words)?,
-    })
+    let depth = D::varying(D::Vertex::load(&mut words)?);
+    let (attributes, inverse) = carried::<P, S>(&mut words)?;
+    Some(Vertex { at: Snapped::from_bits(x, y), depth, inverse, attributes })
+}
+
+/// What a vertex carries for its shader, and 1/w. That is the last word, so that a shader which needs none finds all others.
+#[inline(always)]
+pub(super) fn carried<'a, P, S: PixelShader<'a, P>>(
+    words: &mut impl Iterator<Item = u32>,
+) -> Option<(S::Vertex, PerVertexInverse)> {
+    let attributes = S::Vertex::load(words)?;
+    let inverse = if S::PERSPECTIVE { PerVertexInverse::load(words)? } else { PerVertexInverse::ONE };
+    Some((attributes, inverse))
 }

@@ -68,6 +68,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for FlatPixel {
     type Vertex = ();
     type Varying = ();
     type Triangle = P;
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
     const KERNELS: bool = true;
 

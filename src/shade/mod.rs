@@ -96,6 +96,7 @@ pub trait Shader<'a, P> {
 ///     type Vertex = Attribute;
 ///     type Varying = Attribute;
 ///     type Triangle = ();
+///     type Simple = Self;
 ///     const PERSPECTIVE: bool = false;
 ///
 ///     // Of two shaders with the same uniforms a list keeps one.
@@ -151,6 +152,8 @@ pub trait PixelShader<'a, P>: Copy {
     type Varying: Varying;
     /// What all pixels of a triangle share.
     type Triangle: Copy;
+    /// What draws the triangles that [`is_simple`](Self::is_simple) tells, by the same uniforms; `Self`, if it tells none.
+    type Simple: PixelShader<'a, P, Vertex = Self::Vertex>;
     /// Whether a vertex carries 1/w as well.
     const PERSPECTIVE: bool;
 
@@ -169,6 +172,17 @@ pub trait PixelShader<'a, P>: Copy {
         vertices: [Self::Vertex; 3],
         inverses: [PerVertexInverse; 3],
     ) -> (Self::Triangle, [Self::Varying; 3]);
+
+    /// Whether [`is_simple`](Self::is_simple) is ever true.
+    const SIMPLIFIES: bool = false;
+
+    /// Whether a triangle may be drawn by [`Simple`](Self::Simple): asked once, when the triangle comes into a list, of the words
+    /// of this shader's uniforms and of what the vertices carry. It saves what [`choose`](Self::choose) takes in each strip.
+    #[inline(always)]
+    fn is_simple(words: [u32; 2], vertices: [Self::Vertex; 3], inverses: [PerVertexInverse; 3]) -> bool {
+        let _ = (words, vertices, inverses);
+        false
+    }
 
     /// Has a triangle drawn: by this shader, or by a cheaper one that shows the same of it, or what the caller allowed.
     ///

@@ -119,13 +119,6 @@ impl TexelBox {
     /// The box of three texels.
     #[inline]
     pub(super) fn new(texels: [[Attribute; 2]; 3]) -> Self {
-        let (texel_box, _) = Self::with_extent(texels);
-        texel_box
-    }
-
-    /// The same, and how much of it the texels take on the longer axis: 0 to 1 in 15 fraction bits, rounded up, and one step.
-    #[inline]
-    pub(super) fn with_extent(texels: [[Attribute; 2]; 3]) -> (Self, u32) {
         let [a, b, c] = texels.map(|texel| texel.map(Attribute::to_bits));
         let ends = |[a, b, c]: [i32; 3]| (a.min(b).min(c) >> 16, a.max(b).max(c));
         let ((least_u, most_u), (least_v, most_v)) = (ends([a[0], b[0], c[0]]), ends([a[1], b[1], c[1]]));
@@ -134,8 +127,7 @@ impl TexelBox {
         // Sought from those of 16 texels, where counting zeros is a call.
         let zeros = if product::NARROW { recip::normalising(most, 12) } else { most.leading_zeros() };
         let span_log2 = 16_u32.saturating_sub(zeros);
-        let extent = (span >> (span_log2 & 31) >> 1) + 1;
-        (Self { least: [least_u, least_v], span_log2, octave: false, two_octaves: false }, extent)
+        Self { least: [least_u, least_v], span_log2, octave: false, two_octaves: false }
     }
 
     /// Where in the box three texels are: 0 to 1 in 31 fraction bits.

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::light::{Lighting, LocalSun, Sun};
-use super::perspective::{Correction, DrawTexels};
+use super::perspective::{Affine, Correction, DrawTexels};
 use super::sampler::{Lit, Paint, Painted, Plain};
 use super::{DrawTriangle, PixelShader, Shader, Uniforms};
 use crate::depth::Depth;
@@ -108,7 +108,9 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     type Vertex = [Attribute; 2];
     type Varying = C::Varying;
     type Triangle = C::Triangle;
+    type Simple = Textured<'a, Affine>;
     const PERSPECTIVE: bool = C::PERSPECTIVE;
+    const SIMPLIFIES: bool = C::CHOOSES;
     const KERNELS: bool = C::KERNELS;
 
     fn uniforms(&self) -> Uniforms<'a> {
@@ -118,6 +120,11 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     #[inline]
     fn from_uniforms(uniforms: &Uniforms<'a>) -> Self {
         Self { texture: uniforms.texture, correction: C::from_words(uniforms.words) }
+    }
+
+    #[inline]
+    fn is_simple(words: [u32; 2], texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
+        C::from_words(words).is_affine(texels, inverses)
     }
 
     #[inline]
@@ -256,7 +263,9 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
     type Vertex = ([Attribute; 2], Attribute);
     type Varying = (C::Varying, Attribute);
     type Triangle = C::Triangle;
+    type Simple = LitTexturePixel<'a, Affine>;
     const PERSPECTIVE: bool = C::PERSPECTIVE;
+    const SIMPLIFIES: bool = C::CHOOSES;
 
     fn uniforms(&self) -> Uniforms<'a> {
         PixelShader::<P>::uniforms(&self.0)
@@ -265,6 +274,12 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
     #[inline]
     fn from_uniforms(uniforms: &Uniforms<'a>) -> Self {
         Self(<Textured<'a, C> as PixelShader<'a, P>>::from_uniforms(uniforms))
+    }
+
+    #[inline]
+    fn is_simple(words: [u32; 2], vertices: [Self::Vertex; 3], inverses: [PerVertexInverse; 3]) -> bool {
+        let [(a, _), (b, _), (c, _)] = vertices;
+        C::from_words(words).is_affine([a, b, c], inverses)
     }
 
     #[inline]

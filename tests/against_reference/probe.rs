@@ -231,6 +231,7 @@ impl<'a> PixelShader<'a, Seen> for ProbePixel {
     type Vertex = ([Attribute; 2], Attribute);
     type Varying = [Attribute; 3];
     type Triangle = [u8; 3];
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
 
     fn uniforms(&self) -> Uniforms<'a> {

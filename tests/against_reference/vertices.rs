@@ -57,7 +57,7 @@ pub(crate) fn of_scene(scene: &Scene) -> Vec<Row> {
             let placement = Placement::new(object.mesh, &camera, &pose, viewport);
             let mut unit = None;
             for (vertex, words) in words.chunks(STRIDE).enumerate() {
-                let &[x, y, code, inverse, ..] = words else { panic!("{STRIDE} words a vertex") };
+                let &[x, y, code, .., inverse] = words else { panic!("{STRIDE} words a vertex") };
                 if x == UNSEEN {
                     continue;
                 }
@@ -111,9 +111,9 @@ pub(crate) fn at_every_distance() -> Vec<Row> {
             .unwrap();
     }
     let [mut places, mut depths, mut inverses] = [(); 3].map(|()| Errors::default());
-    let unit = inverse_of(words[3]) * w_of(positions[0]);
+    let unit = inverse_of(words[STRIDE - 1]) * w_of(positions[0]);
     for (words, &position) in words.chunks(STRIDE).zip(&positions) {
-        let &[x, y, code, inverse, ..] = words else { panic!("{STRIDE} words a vertex") };
+        let &[x, y, code, .., inverse] = words else { panic!("{STRIDE} words a vertex") };
         let w = w_of(position);
         let name = || format!("{position:?}");
         let half_screen = f64::from(SIZE) * 128.0;

@@ -184,6 +184,7 @@ impl<'a> PixelShader<'a, u16> for ByCounted {
     type Vertex = Attribute;
     type Varying = Counted;
     type Triangle = ();
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
 
     fn uniforms(&self) -> Uniforms<'a> {

@@ -61,6 +61,7 @@ impl<'a> PixelShader<'a, Value> for Linear {
     type Vertex = Attribute;
     type Varying = Attribute;
     type Triangle = ();
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
 
     fn uniforms(&self) -> Uniforms<'a> {

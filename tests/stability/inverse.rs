@@ -63,6 +63,7 @@ impl<'a> PixelShader<'a, Divisor> for Divisors {
     type Vertex = ();
     type Varying = Inverse;
     type Triangle = [i32; 2];
+    type Simple = Self;
     const PERSPECTIVE: bool = true;
 
     fn uniforms(&self) -> Uniforms<'a> {

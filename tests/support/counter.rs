@@ -53,6 +53,7 @@ impl<'a> PixelShader<'a, Hits> for Add {
     type Vertex = ();
     type Varying = ();
     type Triangle = ();
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
 
     fn uniforms(&self) -> Uniforms<'a> {

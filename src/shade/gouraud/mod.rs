@@ -81,6 +81,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudPixel {
     type Vertex = [u8; 3];
     type Varying = Channels;
     type Triangle = ();
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
     const KERNELS: bool = true;
 

@@ -115,6 +115,7 @@ impl<'a, P: Pixel> PixelShader<'a, P> for GouraudWithinPixel {
     type Vertex = [u8; 3];
     type Varying = Channels;
     type Triangle = ();
+    type Simple = Self;
     const PERSPECTIVE: bool = false;
 
     fn uniforms(&self) -> Uniforms<'a> {

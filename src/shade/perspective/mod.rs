@@ -48,6 +48,16 @@ pub trait Correction: Copy {
         sizes_log2: [u8; 2],
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
+    /// Whether [`is_affine`](Self::is_affine) is ever true.
+    const CHOOSES: bool = false;
+
+    /// Whether it is soon seen that [`Affine`] is as near as the caller allowed.
+    #[inline(always)]
+    fn is_affine(self, texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
+        let _ = (texels, inverses);
+        false
+    }
+
     /// Has a triangle drawn: by this method, or by a cheaper one that is as near as the caller allowed.
     #[inline(always)]
     fn choose<D: DrawTexels>(

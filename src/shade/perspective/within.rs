@@ -14,8 +14,8 @@ use crate::varying::Varying;
 
 /// The cheapest of affine, subspans and a reciprocal a pixel that shows no texel further off than the caller allows.
 ///
-/// Affine is chosen triangle by triangle; the length of subspans, and whether they do, run by run (a run is the visible
-/// part of a span).
+/// Affine is chosen triangle by triangle, once a frame where that is soon seen, by the code that [`Affine`] is drawn by; the
+/// length of subspans, and whether they do, run by run (a run is the visible part of a span). A list keeps two shaders for it.
 ///
 /// A texel is off by at most this, up to a ratio of w of 64 and within 500 pixels of the triangle's first vertex; and by
 /// what interpolating adds where a triangle is affine, `(n + m + 2) 2^-17` texels at n columns and m rows from there. What
@@ -50,9 +50,9 @@ use crate::varying::Varying;
 pub struct Within {
     /// In 16 fraction bits.
     error: u32,
-    /// What is left of it for triangles that are affine: moving texels rounds to 2^-16, and by a reciprocal that is right to
-    /// 2^-13. As much as 2^14 texels stand for all that is more.
-    affine: u32,
+    /// Two thirds of what is left of it for triangles that are affine, rounded down to 9 bits or less, and in the last 5 bits the
+    /// shift that rounds it, 2 or more.
+    sure: u32,
 }
 
 impl Within {
@@ -64,8 +64,18 @@ impl Within {
 
     /// So many steps of 2^-16.
     const fn steps(error: u32) -> Self {
-        let left = error.saturating_sub((error >> 12) + 2);
-        Self { error, affine: if left < 1 << 30 { left } else { (1 << 30) - 1 } }
+        let left = Self { error, sure: 0 }.left();
+        let part = left / 3 * 2;
+        let bits = 23_u32.saturating_sub(part.leading_zeros());
+        let shift = if bits > 2 { bits } else { 2 };
+        Self { error, sure: part >> shift << 5 | shift }
+    }
+
+    /// What is left of it for triangles that are affine: moving texels rounds to 2^-16, and by a reciprocal that is right to
+    /// 2^-13. As much as 2^14 texels stand for all that is more.
+    const fn left(self) -> u32 {
+        let left = self.error.saturating_sub((self.error >> 12) + 2);
+        if left < 1 << 30 { left } else { (1 << 30) - 1 }
     }
 }
 
@@ -89,14 +99,38 @@ impl Correction for Within {
     type Triangle = Bent;
     const PERSPECTIVE: bool = true;
     const KERNELS: bool = true;
+    const CHOOSES: bool = true;
 
     fn words(self) -> [u32; 2] {
-        [self.error, self.affine]
+        [self.error, self.sure]
     }
 
     #[inline]
-    fn from_words([error, affine]: [u32; 2]) -> Self {
-        Self { error, affine }
+    fn from_words([error, sure]: [u32; 2]) -> Self {
+        Self { error, sure }
+    }
+
+    /// By `U d <= e (3 q_min + q_mid)`, with U the greatest difference of texels and d that of 1/w, which most small triangles
+    /// meet by far: from few bits, so that products fit 32, and without a branch. Three numbers' differences sum up to twice
+    /// the greatest; and with s the sum of 1/w, `q_min >= (s - 2 d) / 3`, so `3 q_min + q_mid >= (4 s - 5 d) / 3`.
+    #[inline(always)]
+    fn is_affine(self, texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
+        let twice = |a: i32, b: i32, c: i32| {
+            let apart = |a: i32, b: i32| a.wrapping_sub(b).unsigned_abs();
+            apart(a, b).wrapping_add(apart(b, c)).wrapping_add(apart(c, a)) + 2
+        };
+        // Rounded down by less than a step, each; and so is 1/w, in 15 fraction bits. Written out: compiled for size, arrays are
+        // gone through in a loop.
+        let shift = self.sure & 31;
+        let part = |texel: Attribute| texel.to_bits() >> shift;
+        let [[au, av], [bu, bv], [cu, cv]] = texels;
+        let (u, v) = (twice(part(au), part(bu), part(cu)), twice(part(av), part(bv), part(cv)));
+        let extent = u.max(v);
+        let Some([qa, qb, qc]) = PerVertexInverse::of_one_power(inverses) else { return false };
+        let (qa, qb, qc) = (qa >> 16, qb >> 16, qc >> 16);
+        let difference = twice(qa.cast_signed(), qb.cast_signed(), qc.cast_signed());
+        let edge = (8 * (qa + qb + qc)).wrapping_sub(5 * difference);
+        (extent >> 18) | (difference >> 14) == 0 && extent * difference <= (self.sure >> 5) * edge
     }
 
     #[inline]
@@ -118,12 +152,9 @@ impl Correction for Within {
         sizes_log2: [u8; 2],
         onto: D,
     ) -> D::Output {
-        let ((texel_box, extent), q) = (TexelBox::with_extent(texels), aligned(inverses));
-        let parts = self
-            .bend(&texel_box, extent, q)
-            .and_then(|bend| bend.not_affine(&texel_box, &mut texels, q, sizes_log2));
-        let Some(parts) = parts else { return onto.draw(Affine, (), texels) };
-        let (triangle, varyings) = self.bent(texel_box, parts, q);
+        let Some((triangle, varyings)) = self.unless_affine(&mut texels, inverses, sizes_log2) else {
+            return onto.draw(Affine, (), texels);
+        };
         let Bent { texel_box, between } = triangle;
         // What subspans cannot keep, runs need not be asked.
         if between == 0 {
@@ -185,18 +216,31 @@ fn by_subspans<T>(
 }
 
 impl Within {
+    /// What a triangle is drawn by that may not be affine. Nothing where it may: its texels are moved as far as that takes.
     #[inline(never)]
+    fn unless_affine(
+        self,
+        texels: &mut [[Attribute; 2]; 3],
+        inverses: [PerVertexInverse; 3],
+        sizes_log2: [u8; 2],
+    ) -> Option<(Bent, [OverW; 3])> {
+        let (texel_box, q) = (TexelBox::new(*texels), aligned(inverses));
+        let bend = self.bend(&texel_box, q)?;
+        let parts = bend.not_affine(&texel_box, texels, q, sizes_log2)?;
+        Some(self.bent(texel_box, parts, q))
+    }
+
+    #[inline]
     fn bent(self, texel_box: TexelBox, parts: [[u32; 2]; 3], q: [i32; 3]) -> (Bent, [OverW; 3]) {
         let (texel_box, over_w) = texel_box.over_w(parts, q);
         (Bent { texel_box, between: self.between(&texel_box) }, over_w)
     }
 
-    /// How much perspective may bend the texels of a triangle. Nothing where it cannot bend them as much: the triangle is affine
-    /// then, as most small ones are. In line, since these are told apart by little.
+    /// How much perspective may bend the texels of a triangle. Nothing where it does not, or whatever it does is allowed.
     #[inline(always)]
-    fn bend(self, texel_box: &TexelBox, extent: u32, q: [i32; 3]) -> Option<Bend> {
+    fn bend(self, texel_box: &TexelBox, q: [i32; 3]) -> Option<Bend> {
         let span_log2 = texel_box.span_log2;
-        if self.error >> span_log2 >= 1 << 16 {
+        if self.error >> span_log2 >= 1 << 16 || (q[0] == q[1] && q[1] == q[2]) {
             return None;
         }
         // All in 15 fraction bits: 1/w, and parts of the box.
@@ -205,11 +249,8 @@ impl Within {
         // Three times the least and the middle one: what is least of an edge's greater and three times its lesser.
         let edge = (2 * least + qa + qb + qc - most).cast_unsigned();
         // 8 e / U, of 1/w.
-        let eighth = self.affine << 2 >> (span_log2 & 31);
-        let bend = Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 };
-        // No edge has more of either: `not_affine` would not find more. And those that are level, whatever is allowed.
-        let bears = bend.bears((most - least).unsigned_abs() * extent) || (q[0] == q[1] && q[1] == q[2]);
-        if bears { None } else { Some(bend) }
+        let eighth = self.left() << 2 >> (span_log2 & 31);
+        Some(Bend { allowed: (eighth.min((1 << 15) - 1) * edge) >> 2, edge, span_log2 })
     }
 
     /// What is left for the middle of subspans: an error of the ends of U 2^-13, which includes interpolating; 2^-16 of U

@@ -15,19 +15,27 @@ pub(crate) struct Core {
 impl Core {
     /// Of a scene in one way, at opt-level 3, in strips of so many rows.
     pub(crate) fn per_pixel(&self, scene: &str, method: &str, strip_rows: &str) -> Option<f64> {
-        let wanted = [("scene", scene), ("method", method), ("opt_level", "3"), ("strip_rows", strip_rows)];
-        self.table.find(&wanted).next().and_then(|row| number(&row, self.per_pixel))
+        self.value([scene, method, "3", strip_rows], self.per_pixel)
     }
 
-    /// The same, and what a list takes more than another way's to be made: what is done once a frame.
-    pub(crate) fn per_pixel_from_the_list(&self, scene: &str, [method, than]: [&str; 2]) -> Option<f64> {
+    /// In strips of 16 rows, and with what a list takes more than another way's to be made: what is done once a frame.
+    pub(crate) fn per_pixel_from_the_list(
+        &self,
+        scene: &str,
+        [method, than]: [&str; 2],
+        opt_level: &str,
+    ) -> Option<f64> {
         let vertex = self.total.replace("total", "vertex");
-        let value = |method, column: &str| {
-            let wanted = [("scene", scene), ("method", method), ("opt_level", "3"), ("strip_rows", "16")];
-            self.table.find(&wanted).next().and_then(|row| number(&row, column))
-        };
+        let value = |method, column: &str| self.value([scene, method, opt_level, "16"], column);
         let more = value(method, &vertex)? - value(than, &vertex)?;
-        Some(self.per_pixel(scene, method, "16")? + more / value(method, "pixels")?)
+        Some(value(method, self.per_pixel)? + more / value(method, "pixels")?)
+    }
+
+    fn value(&self, names: [&str; 4], column: &str) -> Option<f64> {
+        let [scene, method, opt_level, strip_rows] = names;
+        let wanted =
+            [("scene", scene), ("method", method), ("opt_level", opt_level), ("strip_rows", strip_rows)];
+        self.table.find(&wanted).next().and_then(|row| number(&row, column))
     }
 
     /// Pixels a triangle and cost a triangle, by size, with the ways to shade in the table's order.

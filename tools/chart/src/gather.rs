@@ -7,6 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::cost::{self, Core};
 use crate::figures::Tables;
 use crate::host::{self, Timed};
+use crate::method::{Family, PER_PIXEL};
 use crate::table::{Table, figure, number};
 use crate::texels::{self, Texels};
 use crate::{colour, depth, method, ram, traversal, within};
@@ -66,7 +67,7 @@ pub(crate) fn tables(inputs: &Inputs, keep_host: bool) -> Result<Tables, String>
     let m0plus = &inputs.cores[0];
     let [flat, deep, float] =
         ["flat", "flat+depth", "flat+depth-float"].map(|way| m0plus.per_pixel("grid240", way, "16"));
-    let sorted = m0plus.per_pixel_from_the_list("grid240", ["flat+painter", "flat"]);
+    let sorted = m0plus.per_pixel_from_the_list("grid240", ["flat+painter", "flat"], "3");
     let inversions = depth::inversions([flat, sorted, deep, float], || bar.inc(1));
     let resolution = depth::resolution(|| bar.inc(1));
     bar.set_message("time on this machine");
@@ -123,11 +124,18 @@ fn texels_table(inputs: &Inputs, errors: &[Texels], times: &[Timed]) -> Table {
         "texel_bound",
         "m0_cycles_per_px",
         "m4_instructions_per_px",
+        "m0_cycles_per_px_at_s",
+        "m4_instructions_per_px_at_s",
         "host_ratio",
         "host_ns_per_px",
     ]);
     for Texels { scene, method, worst, most, bound, pixels } in errors {
-        let cost = |core: &Core| core.per_pixel(scene, method.row, "16").map_or(String::new(), figure);
+        // Triangles that `Within` draws affine are found when the list is made: with what that takes more.
+        let than = if method.family == Family::Within { PER_PIXEL } else { method.row };
+        let cost = |level: &'static str| {
+            let of = move |core: &Core| core.per_pixel_from_the_list(scene, [method.row, than], level);
+            inputs.cores.iter().map(move |core| of(core).map_or(String::new(), figure))
+        };
         let host = times
             .iter()
             .find(|timed| timed.scene == *scene && timed.row == method.row)
@@ -141,7 +149,7 @@ fn texels_table(inputs: &Inputs, errors: &[Texels], times: &[Timed]) -> Table {
         let mut row: Vec<String> =
             [*scene, method.row, method.family.name(), method.setting].map(str::to_owned).into();
         row.extend([*worst, *most, *bound].map(figure));
-        row.extend(inputs.cores.iter().map(cost));
+        row.extend(cost("3").chain(cost("s")));
         row.extend(host.or_else(kept).unwrap_or_default());
         table.rows.push(row);
     }

@@ -43,6 +43,9 @@ pub(crate) enum Bound {
     Quotient,
 }
 
+/// A reciprocal a pixel, in the tables of cycles and instructions.
+pub(crate) const PER_PIXEL: &str = "perspective-pixel+depth";
+
 /// A method at one setting.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Method {
@@ -81,7 +84,7 @@ pub(crate) fn for_each(each: &mut impl EachMethod) {
         let within = Within::texels(Attribute::from_num(error));
         each.method(method(Family::Within, setting, row, Bound::Asked(error)), within);
     }
-    each.method(method(Family::PerPixel, "", "perspective-pixel+depth", Bound::Pixel), PerPixel);
+    each.method(method(Family::PerPixel, "", PER_PIXEL, Bound::Pixel), PerPixel);
     let divided = method(Family::Divided, "", "perspective-divided+depth", Bound::Quotient);
     each.method(divided, Divided::<Portable>::new());
 }

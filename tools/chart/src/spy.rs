@@ -11,7 +11,8 @@ use topleft::stages::{
     Traversal, Uniforms, Varying, Window, Words,
 };
 use topleft::{
-    Attribute, Depth, Depth16, DrawList, ListTriangle, Mesh, Pixel, Pose, Spans, Strip, Texture, Textured,
+    Affine, Attribute, Depth, Depth16, DrawList, ListTriangle, Mesh, Pixel, Pose, Spans, Strip, Texture,
+    Textured,
 };
 
 /// A triangle as the library draws it.
@@ -84,7 +85,13 @@ impl<'a, C: Correction> PixelShader<'a, Cell> for Located<'a, C> {
     type Vertex = [Attribute; 2];
     type Varying = C::Varying;
     type Triangle = (u32, C::Triangle);
+    type Simple = Located<'a, Affine>;
     const PERSPECTIVE: bool = true;
+    const SIMPLIFIES: bool = C::CHOOSES;
+
+    fn is_simple(words: [u32; 2], vertices: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
+        C::from_words(words).is_affine(vertices, inverses)
+    }
 
     fn uniforms(&self) -> Uniforms<'a> {
         PixelShader::<u16>::uniforms(&self.0)
