@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::contents::Home;
 use super::drawing::{Layout, Shaded, VertexShader};
 use super::render;
-use super::simple::{Simple, simplify};
+use super::simple::Simple;
 use super::{Block, Contents, DrawError, DrawFn, DrawList, Kept, Shaders};
 use crate::camera::Camera;
 use crate::depth::Depth;
@@ -53,7 +53,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             contents.place(seen, &mut |contents, vertices| keep(shaders, contents, uniforms, kind, vertices));
         forget(shaders, contents, words, kept);
         if let Some(simple) = &kind.simple {
-            simplify(shaders, contents, simple, triangles);
+            simple.simplify(shaders, contents, triangles);
         }
         added
     }

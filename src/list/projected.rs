@@ -6,7 +6,6 @@ use super::contents::{Contents, Faces, Home, LeftOut};
 use super::draw::{Kind, forget, keep};
 use super::placed::{FaceColours, Placed, UNSEEN};
 use super::render::stride;
-use super::simple::simplify;
 use super::{DrawError, DrawList};
 use crate::attributes::Words;
 use crate::depth::Depth;
@@ -135,7 +134,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             let before = contents.used_triangles;
             let added = contents.add_seen(&placed, first, faces);
             if let Some(simple) = &kind.simple {
-                simplify(shaders, contents, simple, before);
+                simple.simplify(shaders, contents, before);
             }
             return added;
         }

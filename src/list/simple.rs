@@ -1,7 +1,7 @@
 //! Which triangles of a draw a simpler shader draws: found once, in whatever strips they are.
 
-use super::render::{carried, stride};
-use super::{Contents, DrawFn, Kept, ListTriangle, Shaders};
+use super::render::{carried, stride, triangle};
+use super::{Contents, DrawFn, Kept, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::raster::Traversal;
@@ -11,8 +11,8 @@ use crate::shade::PixelShader;
 pub(super) struct Simple<'a, P, D: Depth> {
     /// The function that draws its pixels.
     pub(super) draw: DrawFn<'a, P, D>,
-    /// Names it in those triangles that it may draw: by words of the uniforms, the words of the vertices, and its place.
-    mark: fn([u32; 2], &[u32], &mut [ListTriangle], u8),
+    /// Has it draw what it may of a draw's triangles, from one on. Only shaders that have a simpler one link it.
+    simplify: fn(&Shaders<'a, P, D>, &mut Contents<'_>, DrawFn<'a, P, D>, usize),
 }
 
 impl<'a, P: Copy, D: Depth> Simple<'a, P, D> {
@@ -20,19 +20,23 @@ impl<'a, P: Copy, D: Depth> Simple<'a, P, D> {
     pub(super) const fn of<T: Traversal, S: PixelShader<'a, P>>() -> Option<Self> {
         const { assert!(S::PERSPECTIVE || !S::Simple::PERSPECTIVE, "vertices carry no 1/w for it") };
         if S::SIMPLIFIES {
-            Some(Self { draw: super::render::triangle::<P, D, T, S::Simple>, mark: mark::<P, D, S> })
+            Some(Self { draw: triangle::<P, D, T, S::Simple>, simplify: simplify::<P, D, S> })
         } else {
             None
         }
     }
+
+    /// Has it draw what it may of the triangles of a draw, which are those from `first` on.
+    pub(super) fn simplify(&self, shaders: &Shaders<'a, P, D>, contents: &mut Contents<'_>, first: usize) {
+        (self.simplify)(shaders, contents, self.draw, first);
+    }
 }
 
-/// Has a simpler shader, which is kept beside that of a draw, draw what it may of the triangles from `first` on.
-#[inline(never)]
-pub(super) fn simplify<'a, P, D: Depth>(
+/// Names it in those of the triangles that it may draw: it is kept beside their shader.
+fn simplify<'a, P, D: Depth, S: PixelShader<'a, P>>(
     shaders: &Shaders<'a, P, D>,
     contents: &mut Contents<'_>,
-    simple: &Simple<'a, P, D>,
+    draw: DrawFn<'a, P, D>,
     first: usize,
 ) {
     let Contents { words, triangles, used_triangles, .. } = contents;
@@ -41,22 +45,12 @@ pub(super) fn simplify<'a, P, D: Depth>(
         return;
     };
     let Kept { uniforms, block, .. } = kept;
-    let beside = |other: &Kept<'a, P, D>| other.is(simple.draw, uniforms) && other.block == *block;
+    let beside = |other: &Kept<'a, P, D>| other.is(draw, uniforms) && other.block == *block;
     let (Some(place), Some(words)) = (shaders.iter().position(beside), words.get(block.base()..)) else {
         return;
     };
-    (simple.mark)(uniforms.words, words, triangles, place as u8);
-}
-
-/// The same of one shader, whose vertices are in these words.
-fn mark<'a, P, D: Depth, S: PixelShader<'a, P>>(
-    uniforms: [u32; 2],
-    words: &[u32],
-    triangles: &mut [ListTriangle],
-    place: u8,
-) {
-    let stride = const { stride::<P, D, S>() };
     let carried = |vertex: u16| {
+        let stride = const { stride::<P, D, S>() };
         let at = usize::from(vertex) * stride;
         let words = words.get(at..at + stride)?.get(2 + D::Vertex::WORDS..)?;
         carried::<P, S>(&mut words.iter().copied())
@@ -66,8 +60,8 @@ fn mark<'a, P, D: Depth, S: PixelShader<'a, P>>(
         let Some((a, over_a)) = carried(a) else { return };
         let Some((b, over_b)) = carried(b) else { return };
         let Some((c, over_c)) = carried(c) else { return };
-        if S::is_simple(uniforms, [a, b, c], [over_a, over_b, over_c]) {
-            triangle.shader = place;
+        if S::is_simple(uniforms.words, [a, b, c], [over_a, over_b, over_c]) {
+            triangle.shader = place as u8;
         }
     }
 }
@@ -164,11 +158,13 @@ mod tests {
         let mut strip = Strip::new(8, &mut cells).unwrap().with_depth(&mut depths).unwrap();
         list.render(0..8, &mut strip);
         assert_eq!(strip.colours()[..8], [7, 7, 8, 8, 7, 7, 0, 0]);
-        // The same again takes no place more, and what draws by itself takes none beside it.
-        draw(&mut list, &High(7)).unwrap();
-        assert_eq!(list.shaders.len(), 2);
+        // Another's triangles stay its own. The same again takes no place more, and what draws by itself takes none beside it.
         draw(&mut list, &Low(7)).unwrap();
+        draw(&mut list, &High(7)).unwrap();
         assert_eq!(list.shaders.len(), 3);
+        let triangles = &list.contents.triangles[..list.contents.used_triangles];
+        let places = triangles.iter().map(|triangle| triangle.shader);
+        assert!(places.eq([0, 0, 1, 1, 0, 0, 2, 2, 2, 2, 2, 2, 0, 0, 1, 1, 0, 0]));
         strip.clear();
         list.render(0..8, &mut strip);
         assert_eq!(strip.colours()[..8], [7, 7, 8, 8, 7, 7, 0, 0]);

@@ -8,7 +8,7 @@ use topleft::stages::{
     Correction, DrawTexels, PerVertexInverse, PixelShader, Run, Setup, Shader, Snapped, Span, Traversal,
     Uniforms, Varying, Window,
 };
-use topleft::{Attribute, Depth, Length, MatrixCamera, Mesh, Pixel, Pose, Spans};
+use topleft::{Affine, Attribute, Depth, Length, MatrixCamera, Mesh, Pixel, Pose, Spans};
 
 use crate::random::Random;
 
@@ -53,7 +53,7 @@ pub(crate) fn texels_of<C: Correction>(
 }
 
 impl Covered {
-    /// The texels of each span, as a method draws them, or what it hands the triangle to.
+    /// The texels of each span, as a method draws them, or what it hands the triangle to: at once, as in a list, or later.
     pub(crate) fn texels(
         &self,
         method: impl Correction,
@@ -61,6 +61,9 @@ impl Covered {
         inverses: [PerVertexInverse; 3],
         sizes_log2: [u8; 2],
     ) -> Vec<Vec<[i32; 2]>> {
+        if method.is_affine(texels, inverses) {
+            return Affine.choose(texels, inverses, sizes_log2, self);
+        }
         method.choose(texels, inverses, sizes_log2, self)
     }
 }
