@@ -12,8 +12,10 @@ pub(super) struct Simple<'a, P, D: Depth> {
     /// The function that draws its pixels.
     pub(super) draw: DrawFn<'a, P, D>,
     /// Has it draw what it may of a draw's triangles, from one on. Only shaders that have a simpler one link it.
-    simplify: fn(&Shaders<'a, P, D>, &mut Contents<'_>, DrawFn<'a, P, D>, usize),
+    simplify: SimplifyFn<'a, P, D>,
 }
+
+type SimplifyFn<'a, P, D> = fn(&Shaders<'a, P, D>, &mut Contents<'_>, DrawFn<'a, P, D>, usize);
 
 impl<'a, P: Copy, D: Depth> Simple<'a, P, D> {
     /// That of a shader, if it has one.
