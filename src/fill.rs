@@ -25,8 +25,8 @@ fn in_pairs(cells: &mut [u16], word: u16) {
     in_fours(black_box(pair), black_box(pair), black_box(pair), black_box(pair), pairs);
 }
 
-/// Sets all words to any of four that are equal, which a small core stores at once in five cycles, and one in two. They are the
-/// first arguments, so that they are in registers in the order that this takes.
+/// Sets all words. The same word comes four times: a small core stores four registers at once in five cycles, and one alone in
+/// two. They are the first arguments, so that they are in registers in the order that this takes.
 #[inline(never)]
 fn in_fours(a: u32, b: u32, c: u32, d: u32, words: &mut [u32]) {
     let four = [a, b, c, d];

@@ -163,3 +163,20 @@ impl Default for Pose {
         Self::new()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Red when a point is held to 32 bits before it is moved, or is not held after.
+    #[test]
+    fn a_point_is_held_where_it_stands() {
+        let corner = [Length::from_num(30_000), Length::from_num(30_000), Length::ZERO];
+        let turned = Pose::new().turned_z(Turn::from_degrees(-45));
+        let [x, ..] = turned.apply(corner);
+        assert_eq!(x, Length::MAX);
+        let [x, ..] = turned.at([Length::from_num(-20_000), Length::ZERO, Length::ZERO]).apply(corner);
+        // 30 000 sqrt(2) - 20 000: of a sine and a cosine that are right to 2^-15, less than 2 off.
+        assert!((x - Length::from_num(22_426.406)).abs() < Length::from_num(2), "{x}");
+    }
+}

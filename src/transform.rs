@@ -107,7 +107,7 @@ impl Transform {
     }
 }
 
-/// `element * factor / 2^reach`, rounded down, of less than 2^30 and of at most as much as is divided by: 2^13.
+/// `element * factor / 2^reach`, rounded down: for an element below 2^30, and a factor of at most 2^reach, which is at most 2^13.
 #[inline]
 fn part(element: i32, factor: i32, reach: u32) -> i32 {
     (((element >> 16) * factor) << (16 - reach)) + (((element & 0xFFFF) * factor) >> reach)

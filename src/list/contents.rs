@@ -109,8 +109,7 @@ impl<'a> Contents<'a> {
         Some(named)
     }
 
-    /// How many vertices of a shader there would be in the words from its first one to the last that is used: rounded up, and
-    /// of more than 32 bits, as many as those can count.
+    /// Vertices of this stride from `base` to the last word in use, rounded up. Beyond 32 bits, as many as those can count.
     #[inline(never)]
     fn named(&self, base: usize, stride: usize) -> usize {
         let words = u32::try_from(self.used_words - base + stride - 1).unwrap_or(u32::MAX);

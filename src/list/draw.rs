@@ -53,7 +53,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             contents.place(seen, &mut |contents, vertices| keep(shaders, contents, uniforms, kind, vertices));
         forget(shaders, contents, words, kept);
         if let Some(simple) = &kind.simple {
-            simple.simplify(shaders, contents, triangles);
+            (simple.simplify)(shaders, contents, triangles);
         }
         added
     }
@@ -72,7 +72,7 @@ pub(super) fn forget<P, D: Depth>(
 }
 
 /// Where a shader is kept: in the same place as an equal one before it, as long as its triangles can name as many `vertices`
-/// more. Its simpler one, if it has one, is kept beside it.
+/// more.
 pub(super) fn keep<'a, P, D: Depth>(
     shaders: &mut Shaders<'a, P, D>,
     contents: &mut Contents<'_>,
@@ -84,23 +84,21 @@ pub(super) fn keep<'a, P, D: Depth>(
     contents.records = Records::NONE;
     let stride = usize::from(*stride);
     for (place, kept) in shaders.iter().enumerate() {
-        let Kept { block, .. } = kept;
-        if !kept.is(*draw, uniforms) || block.stride() != stride {
+        let same = core::ptr::fn_addr_eq(kept.draw, *draw) && kept.uniforms.is(uniforms);
+        if !same {
             continue;
         }
-        if let Some(first) = contents.follow(block.base(), stride, vertices) {
-            return Ok(Home { kept: place as u8, base: block.base(), first });
+        let base = kept.block.base();
+        if let Some(first) = contents.follow(base, stride, vertices) {
+            return Ok(Home { kept: place as u8, base, first });
         }
     }
-    let (place, base) = (shaders.len(), contents.used_words);
+    let base = contents.used_words;
     let block = Block::new(base, stride);
-    let mut push = |draw| shaders.push(Kept { uniforms: *uniforms, draw, block }).is_ok();
-    if push(*draw) && simple.as_ref().is_none_or(|simple| push(simple.draw)) {
-        Ok(Home { kept: place as u8, base, first: 0 })
-    } else {
-        shaders.truncate(place);
-        Err(DrawError::TooManyShaders)
-    }
+    let simple = simple.as_ref().map(|simple| simple.draw);
+    let kept = Kept { uniforms: *uniforms, draw: *draw, simple, block };
+    shaders.push(kept).map_err(|_| DrawError::TooManyShaders)?;
+    Ok(Home { kept: (shaders.len() - 1) as u8, base, first: 0 })
 }
 
 /// A mesh before a camera, and what its vertices carry.

@@ -40,6 +40,7 @@ const MAX_NAMED: usize = 1 << 16;
 pub struct ListTriangle {
     /// Its vertices in canonical order, counted from the first of its shader.
     vertices: [u16; 3],
+    /// Which of the list's; with [`SIMPLE`], its simpler one.
     shader: u8,
     /// Red, green and blue of the face.
     colour: [u8; 3],
@@ -50,7 +51,15 @@ pub struct ListTriangle {
 impl ListTriangle {
     /// What storage is filled with.
     pub const EMPTY: Self = Self { vertices: [0; 3], shader: 0, colour: [0; 3], rows: [0; 2] };
+
+    /// The place of its shader in the list.
+    fn shader(&self) -> usize {
+        usize::from(self.shader & !SIMPLE)
+    }
 }
+
+/// In a triangle's shader: that the simpler one of it draws the triangle.
+const SIMPLE: u8 = 1 << 7;
 
 /// Draws one triangle, with the vertices of its shader: one such function is linked for each shader that is used.
 type DrawFn<'a, P, D> = fn(&Kept<'a, P, D>, &[u32], &ListTriangle, &mut Rows<'_, P, D>);
@@ -60,14 +69,9 @@ type DrawFn<'a, P, D> = fn(&Kept<'a, P, D>, &[u32], &ListTriangle, &mut Rows<'_,
 struct Kept<'a, P, D: Depth> {
     uniforms: Uniforms<'a>,
     draw: DrawFn<'a, P, D>,
+    /// Of its simpler one, if it has one.
+    simple: Option<DrawFn<'a, P, D>>,
     block: Block,
-}
-
-impl<'a, P, D: Depth> Kept<'a, P, D> {
-    /// Whether it draws by this function, with the same uniforms.
-    fn is(&self, draw: DrawFn<'a, P, D>, uniforms: &Uniforms<'a>) -> bool {
-        core::ptr::fn_addr_eq(self.draw, draw) && self.uniforms.is(uniforms)
-    }
 }
 
 /// The shaders of a list.
@@ -79,7 +83,7 @@ const MAX_STRIDE: usize = 8;
 /// The words of a shader's vertices: the first of them, and how many a vertex takes.
 ///
 /// Both fit one: a slice has at most as many bytes as half of all numbers can count, so the first word leaves three bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Block(usize);
 
 impl Block {
@@ -110,8 +114,7 @@ pub enum DrawError {
         words: usize,
     },
     /// The list already holds its 16 different shaders, or for one of them as many times 65 536 vertices, of which a mesh
-    /// may need nine a face where it is cut; nothing of the mesh is drawn. A texture by [`Within`](crate::Within) is two
-    /// shaders: it has an affine one.
+    /// may need nine a face where it is cut; nothing of the mesh is drawn.
     TooManyShaders,
     /// The camera's target is too large; nothing of the mesh is drawn.
     TooLarge(Size),

@@ -134,7 +134,7 @@ impl<'a, P: Copy, D: Depth, T: Traversal> DrawList<'a, P, D, T> {
             let before = contents.used_triangles;
             let added = contents.add_seen(&placed, first, faces);
             if let Some(simple) = &kind.simple {
-                simple.simplify(shaders, contents, before);
+                (simple.simplify)(shaders, contents, before);
             }
             return added;
         }

@@ -7,7 +7,7 @@ use core::slice::Iter;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::prelude::PixelColor;
 
-use super::{DrawList, Kept, ListTriangle, Shaders};
+use super::{DrawList, Kept, ListTriangle, SIMPLE, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::pipeline::{self, Vertices};
@@ -145,11 +145,12 @@ impl<P, D: Depth> View<'_, '_, P, D> {
         mut triangles: Iter<'t, ListTriangle>,
         target: &mut Rows<'_, P, D>,
     ) -> Iter<'t, ListTriangle> {
-        let kept = self.shaders.get(usize::from(shader));
+        let kept = self.shaders.get(usize::from(shader & !SIMPLE));
         let Some((kept, words)) = kept.and_then(|kept| Some((kept, self.words.get(kept.block.base()..)?)))
         else {
             return Iter::default();
         };
+        let draw = kept.simple.filter(|_| shader & SIMPLE != 0).unwrap_or(kept.draw);
         let rows = target.window.rows.clone();
         loop {
             let here = triangles.clone();
@@ -162,7 +163,7 @@ impl<P, D: Depth> View<'_, '_, P, D> {
             if triangle.shader != shader {
                 return here;
             }
-            (kept.draw)(kept, words, triangle, target);
+            draw(kept, words, triangle, target);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Which triangles of a draw a simpler shader draws: found once, in whatever strips they are.
 
 use super::render::{carried, stride, triangle};
-use super::{Contents, DrawFn, Kept, Shaders};
+use super::{Contents, DrawFn, Kept, SIMPLE, Shaders};
 use crate::attributes::Words;
 use crate::depth::Depth;
 use crate::raster::Traversal;
@@ -11,11 +11,9 @@ use crate::shade::PixelShader;
 pub(super) struct Simple<'a, P, D: Depth> {
     /// The function that draws its pixels.
     pub(super) draw: DrawFn<'a, P, D>,
-    /// Has it draw what it may of a draw's triangles, from one on. Only shaders that have a simpler one link it.
-    simplify: SimplifyFn<'a, P, D>,
+    /// Hands it those of a draw's triangles, from the given one on, that it may draw. Only shaders that have a simpler one link it.
+    pub(super) simplify: fn(&Shaders<'a, P, D>, &mut Contents<'_>, usize),
 }
-
-type SimplifyFn<'a, P, D> = fn(&Shaders<'a, P, D>, &mut Contents<'_>, DrawFn<'a, P, D>, usize);
 
 impl<'a, P: Copy, D: Depth> Simple<'a, P, D> {
     /// That of a shader, if it has one.
@@ -27,30 +25,21 @@ impl<'a, P: Copy, D: Depth> Simple<'a, P, D> {
             None
         }
     }
-
-    /// Has it draw what it may of the triangles of a draw, which are those from `first` on.
-    pub(super) fn simplify(&self, shaders: &Shaders<'a, P, D>, contents: &mut Contents<'_>, first: usize) {
-        (self.simplify)(shaders, contents, self.draw, first);
-    }
 }
 
-/// Names it in those of the triangles that it may draw: it is kept beside their shader.
 fn simplify<'a, P, D: Depth, S: PixelShader<'a, P>>(
     shaders: &Shaders<'a, P, D>,
     contents: &mut Contents<'_>,
-    draw: DrawFn<'a, P, D>,
     first: usize,
 ) {
     let Contents { words, triangles, used_triangles, .. } = contents;
     let triangles = triangles.get_mut(first..*used_triangles).unwrap_or_default();
-    let Some(kept) = triangles.first().and_then(|triangle| shaders.get(usize::from(triangle.shader))) else {
+    // All are of one draw.
+    let Some(Kept { uniforms, block, .. }) = triangles.first().and_then(|one| shaders.get(one.shader()))
+    else {
         return;
     };
-    let Kept { uniforms, block, .. } = kept;
-    let beside = |other: &Kept<'a, P, D>| other.is(draw, uniforms) && other.block == *block;
-    let (Some(place), Some(words)) = (shaders.iter().position(beside), words.get(block.base()..)) else {
-        return;
-    };
+    let Some(words) = words.get(block.base()..) else { return };
     let carried = |vertex: u16| {
         let stride = const { stride::<P, D, S>() };
         let at = usize::from(vertex) * stride;
@@ -63,7 +52,7 @@ fn simplify<'a, P, D: Depth, S: PixelShader<'a, P>>(
         let Some((b, over_b)) = carried(b) else { return };
         let Some((c, over_c)) = carried(c) else { return };
         if S::is_simple(uniforms.words, [a, b, c], [over_a, over_b, over_c]) {
-            triangle.shader = place as u8;
+            triangle.shader |= SIMPLE;
         }
     }
 }
@@ -149,8 +138,8 @@ mod tests {
         list.draw_projected(SIZE, vertices.as_flattened().iter().copied(), faces.as_flattened(), &[], shader)
     }
 
-    // Red when all triangles are simple, or none; when those of another draw are marked, or a shader that is not beside the draw's
-    // own draws them; and when a simpler shader takes vertices to have no more words than it needs.
+    // Red when all triangles are simple, or none; when those of another draw are marked, or a shader that has no simpler one is
+    // taken for one that has; and when a simpler shader takes vertices to have no more words than it needs.
     #[test]
     fn a_simpler_shader_draws_what_it_may() {
         let mut storage = ListStorage::<200, 20>::new();
@@ -160,30 +149,31 @@ mod tests {
         let mut strip = Strip::new(8, &mut cells).unwrap().with_depth(&mut depths).unwrap();
         list.render(0..8, &mut strip);
         assert_eq!(strip.colours()[..8], [7, 7, 8, 8, 7, 7, 0, 0]);
-        // Another's triangles stay its own. The same again takes no place more, and what draws by itself takes none beside it.
+        // Another's triangles stay its own, and the same shader again takes no place more.
         draw(&mut list, &Low(7)).unwrap();
         draw(&mut list, &High(7)).unwrap();
-        assert_eq!(list.shaders.len(), 3);
         let triangles = &list.contents.triangles[..list.contents.used_triangles];
-        let places = triangles.iter().map(|triangle| triangle.shader);
-        assert!(places.eq([0, 0, 1, 1, 0, 0, 2, 2, 2, 2, 2, 2, 0, 0, 1, 1, 0, 0]));
+        let shaders = triangles.iter().map(|triangle| triangle.shader);
+        const S: u8 = SIMPLE;
+        assert!(shaders.eq([0, 0, S, S, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, S, S, 0, 0]));
         strip.clear();
         list.render(0..8, &mut strip);
         assert_eq!(strip.colours()[..8], [7, 7, 8, 8, 7, 7, 0, 0]);
     }
 
-    // Red when only one of two shaders is kept where there is but one place, or one is left where nothing is drawn.
+    // Red when a simpler shader takes a place of its own, or the last place's triangles are taken for another's.
     #[test]
-    fn a_shader_and_its_simpler_one_are_kept_together() {
+    fn a_simpler_shader_takes_no_place() {
         let mut storage = ListStorage::<1000, 200>::new();
         let mut list = storage.list();
         for word in 20..35 {
             draw(&mut list, &Low(word)).unwrap();
         }
-        let before = (list.stats(), list.words());
-        assert_eq!(draw(&mut list, &High(7)), Err(DrawError::TooManyShaders));
-        assert_eq!((list.shaders.len(), (list.stats(), list.words())), (15, before));
-        draw(&mut list, &Low(35)).unwrap();
+        let first = list.contents.used_triangles;
+        draw(&mut list, &High(7)).unwrap();
+        let last = &list.contents.triangles[first..list.contents.used_triangles];
+        assert!(last.iter().all(|triangle| triangle.shader() == 15));
+        assert_eq!(last.iter().filter(|triangle| triangle.shader & SIMPLE != 0).count(), 2);
         assert_eq!(draw(&mut list, &Low(36)), Err(DrawError::TooManyShaders));
     }
 }

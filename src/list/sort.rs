@@ -76,7 +76,7 @@ impl<P, T> DrawList<'_, P, Painter, T> {
         };
         let (mut low, mut high) = ([0; DIGITS], [0; DIGITS]);
         for (triangle, [key, ..]) in triangles.iter().zip(scratch.iter_mut()) {
-            let block = shaders.get(usize::from(triangle.shader)).map(|kept| kept.block).unwrap_or_default();
+            let block = shaders.get(triangle.shader()).map(|kept| kept.block).unwrap_or_default();
             let depth = |vertex: u16| {
                 // It follows x and y.
                 let word = block.base() + usize::from(vertex) * block.stride() + 2;
@@ -200,7 +200,7 @@ mod tests {
             words.resize(words.len() + padding, 0xDEAD);
             let block = Block::new(words.len(), *stride);
             prop_assert_eq!((block.base(), block.stride()), (words.len(), *stride));
-            let kept = Kept { uniforms: Uniforms::NONE, draw: |_, _, _, _| {}, block };
+            let kept = Kept { uniforms: Uniforms::NONE, draw: |_, _, _, _| {}, simple: None, block };
             prop_assert!(shaders.push(kept).is_ok());
             for depth in depths {
                 let start = words.len();

@@ -97,8 +97,8 @@ impl Matrix {
     }
 }
 
-/// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1), of what is at most 2^30 then: from words, as a shift of 64
-/// bits may be a call.
+/// `value * 2^shift`, rounded to nearest and held to ±(2^30 - 1), for values of at most 30 bits once they are shifted: from words,
+/// as a shift of 64 bits may be a call.
 const fn shifted(value: i64, shift: i32) -> i32 {
     const LIMIT: i32 = (1 << 30) - 1;
     let (low, high) = (value as u32, (value >> 32) as i32);

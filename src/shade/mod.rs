@@ -152,7 +152,8 @@ pub trait PixelShader<'a, P>: Copy {
     type Varying: Varying;
     /// What all pixels of a triangle share.
     type Triangle: Copy;
-    /// What draws the triangles that [`is_simple`](Self::is_simple) tells, by the same uniforms; `Self`, if it tells none.
+    /// What draws the triangles that [`is_simple`](Self::is_simple) tells, by the same uniforms; `Self`, if it tells none. One that
+    /// needs 1/w where this shader's vertices carry none does not compile.
     type Simple: PixelShader<'a, P, Vertex = Self::Vertex>;
     /// Whether a vertex carries 1/w as well.
     const PERSPECTIVE: bool;
@@ -173,11 +174,12 @@ pub trait PixelShader<'a, P>: Copy {
         inverses: [PerVertexInverse; 3],
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
-    /// Whether [`is_simple`](Self::is_simple) is ever true.
+    /// Whether [`is_simple`](Self::is_simple) is ever true: it is not asked otherwise.
     const SIMPLIFIES: bool = false;
 
     /// Whether a triangle may be drawn by [`Simple`](Self::Simple): asked once, when the triangle comes into a list, of the words
-    /// of this shader's uniforms and of what the vertices carry. It saves what [`choose`](Self::choose) takes in each strip.
+    /// of this shader's uniforms and of what the vertices carry. Such a triangle never comes to [`choose`](Self::choose), which
+    /// is asked in each strip.
     #[inline(always)]
     fn is_simple(words: [u32; 2], vertices: [Self::Vertex; 3], inverses: [PerVertexInverse; 3]) -> bool {
         let _ = (words, vertices, inverses);

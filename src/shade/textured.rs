@@ -110,7 +110,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for Textured<'a, C> {
     type Triangle = C::Triangle;
     type Simple = Textured<'a, Affine>;
     const PERSPECTIVE: bool = C::PERSPECTIVE;
-    const SIMPLIFIES: bool = C::CHOOSES;
+    const SIMPLIFIES: bool = C::FINDS_AFFINE;
     const KERNELS: bool = C::KERNELS;
 
     fn uniforms(&self) -> Uniforms<'a> {
@@ -265,7 +265,7 @@ impl<'a, P: Pixel, C: Correction> PixelShader<'a, P> for LitTexturePixel<'a, C> 
     type Triangle = C::Triangle;
     type Simple = LitTexturePixel<'a, Affine>;
     const PERSPECTIVE: bool = C::PERSPECTIVE;
-    const SIMPLIFIES: bool = C::CHOOSES;
+    const SIMPLIFIES: bool = C::FINDS_AFFINE;
 
     fn uniforms(&self) -> Uniforms<'a> {
         PixelShader::<P>::uniforms(&self.0)

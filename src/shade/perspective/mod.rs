@@ -48,10 +48,11 @@ pub trait Correction: Copy {
         sizes_log2: [u8; 2],
     ) -> (Self::Triangle, [Self::Varying; 3]);
 
-    /// Whether [`is_affine`](Self::is_affine) is ever true.
-    const CHOOSES: bool = false;
+    /// Whether [`is_affine`](Self::is_affine) is ever true: it is not asked otherwise.
+    const FINDS_AFFINE: bool = false;
 
-    /// Whether it is soon seen that [`Affine`] is as near as the caller allowed.
+    /// Whether it is soon seen that [`Affine`] is as near as the caller allowed. A list asks once, and never
+    /// [chooses](Self::choose) for such a triangle.
     #[inline(always)]
     fn is_affine(self, texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
         let _ = (texels, inverses);

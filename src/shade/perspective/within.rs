@@ -14,8 +14,8 @@ use crate::varying::Varying;
 
 /// The cheapest of affine, subspans and a reciprocal a pixel that shows no texel further off than the caller allows.
 ///
-/// Affine is chosen triangle by triangle, once a frame where that is soon seen, by the code that [`Affine`] is drawn by; the
-/// length of subspans, and whether they do, run by run (a run is the visible part of a span). A list keeps two shaders for it.
+/// Affine is chosen triangle by triangle, once a frame where that is soon seen, and such triangles are drawn by the code of
+/// [`Affine`]; the length of subspans, and whether they do, run by run (a run is the visible part of a span).
 ///
 /// A texel is off by at most this, up to a ratio of w of 64 and within 500 pixels of the triangle's first vertex; and by
 /// what interpolating adds where a triangle is affine, `(n + m + 2) 2^-17` texels at n columns and m rows from there. What
@@ -99,7 +99,7 @@ impl Correction for Within {
     type Triangle = Bent;
     const PERSPECTIVE: bool = true;
     const KERNELS: bool = true;
-    const CHOOSES: bool = true;
+    const FINDS_AFFINE: bool = true;
 
     fn words(self) -> [u32; 2] {
         [self.error, self.sure]
@@ -113,6 +113,7 @@ impl Correction for Within {
     /// By `U d <= e (3 q_min + q_mid)`, with U the greatest difference of texels and d that of 1/w, which most small triangles
     /// meet by far: from few bits, so that products fit 32, and without a branch. Three numbers' differences sum up to twice
     /// the greatest; and with s the sum of 1/w, `q_min >= (s - 2 d) / 3`, so `3 q_min + q_mid >= (4 s - 5 d) / 3`.
+    /// And where 1/w is one, whatever is allowed.
     #[inline(always)]
     fn is_affine(self, texels: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
         let twice = |a: i32, b: i32, c: i32| {
@@ -127,6 +128,9 @@ impl Correction for Within {
         let (u, v) = (twice(part(au), part(bu), part(cu)), twice(part(av), part(bv), part(cv)));
         let extent = u.max(v);
         let Some([qa, qb, qc]) = PerVertexInverse::of_one_power(inverses) else { return false };
+        if (qa ^ qb) | (qa ^ qc) == 0 {
+            return true;
+        }
         let (qa, qb, qc) = (qa >> 16, qb >> 16, qc >> 16);
         let difference = twice(qa.cast_signed(), qb.cast_signed(), qc.cast_signed());
         let edge = (8 * (qa + qb + qc)).wrapping_sub(5 * difference);

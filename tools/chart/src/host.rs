@@ -17,7 +17,7 @@ const ROUNDS: usize = 60;
 pub(crate) struct Timed {
     pub(crate) scene: &'static str,
     pub(crate) row: &'static str,
-    /// The least of all rounds: of a list, and of what it took to make it more than where nothing is chosen.
+    /// The least time of all rounds to render a list, and what making it took more than where nothing is chosen.
     pub(crate) least: Duration,
     /// The median of its ratios to `grid240`, flat and without depth, in the same round.
     pub(crate) ratio: f64,

@@ -87,7 +87,7 @@ impl<'a, C: Correction> PixelShader<'a, Cell> for Located<'a, C> {
     type Triangle = (u32, C::Triangle);
     type Simple = Located<'a, Affine>;
     const PERSPECTIVE: bool = true;
-    const SIMPLIFIES: bool = C::CHOOSES;
+    const SIMPLIFIES: bool = C::FINDS_AFFINE;
 
     fn is_simple(words: [u32; 2], vertices: [[Attribute; 2]; 3], inverses: [PerVertexInverse; 3]) -> bool {
         C::from_words(words).is_affine(vertices, inverses)

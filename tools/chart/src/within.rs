@@ -23,7 +23,7 @@ const AT_MOST: f64 = 1.1;
 const NOT_HELD: [&str; 2] = ["m4", "s"];
 
 /// And on a sphere of small triangles, which are affine but for a few at these errors, in costs of affine texels: to find that
-/// out is all that is dearer.
+/// out is all that is dearer, but for the word of 1/w that vertices carry, which is not counted.
 const SPHERE: &str = "globe";
 const AFFINE_THERE: [&str; 4] = ["2", "1", "1/2", "1/4"];
 const AT_MOST_OF_AFFINE: f64 = 1.05;
