@@ -102,7 +102,7 @@
 //! | 3 | accuracy: texels, triangles of all sizes, within 1/4 texel, as allowed | 0.2186 | 0.2543 | texel |
 //! | 3 | accuracy: light, random suns, vertex, lit colour | 0.5272 | 0.5701 | code of 255 |
 //! | 5 | rp2040: grid240, flat, 3, 240 | 11.6 | | cycles_per_pixel |
-//! | 5 | rp2040: grid240, perspective-pixel+depth, 3, 240 | 94.0 | | cycles_per_pixel |
+//! | 5 | rp2040: grid240, perspective-pixel+depth, 3, 240 | 93.9 | | cycles_per_pixel |
 //!
 //! # Conventions
 //!

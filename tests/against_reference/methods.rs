@@ -26,6 +26,11 @@ impl Case {
     fn new(kind: Kind, ratio: f64, size: f64, random: &mut Random) -> Self {
         let covered = Covered::new(kind.triangle(random));
         let w = distances(ratio, random);
+        Self::of(covered, w, size, random)
+    }
+
+    /// Of a triangle with these w at its corners.
+    fn of(covered: Covered, w: [u32; 3], size: f64, random: &mut Random) -> Self {
         let texels = [(); 3].map(|()| {
             [(); 2].map(|()| Attribute::from_bits(((random.unit() - 0.5) * size * 65_536.0) as i32))
         });
@@ -136,7 +141,10 @@ pub(crate) fn within_error((error, name): (f64, &'static str)) -> Row {
         };
         let ratio = 64_f64.powf(random.unit().powi(3));
         let size = 2_f64.powf(1.0 + 9.0 * random.unit());
-        let case = Case::new(kind, ratio, size, &mut random);
+        let covered = Covered::new(kind.triangle(&mut random));
+        let [a, b, c] = distances(ratio, &mut random);
+        // One in seven has a level edge, as floors have.
+        let case = Case::of(covered, if i % 7 == 0 { [a, a, c] } else { [a, b, c] }, size, &mut random);
         let least = case.q.into_iter().fold(f64::MAX, f64::min) * case.of_q;
         case.add(method, &mut errors, &mut random, |span, x, axis| {
             // The ends of the subspan may be anywhere in the row.
