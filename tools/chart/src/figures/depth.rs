@@ -7,6 +7,9 @@ use crate::table::{Table, number};
 const WRONG: [(&str, &[&str]); 2] =
     [("Wrong pixels: knot and teapot", &["knot", "teapot"]), ("Wrong pixels: ladder, 1 : 1000", &["ladder"])];
 
+/// The ends of the axis of cycles a pixel.
+const COSTS: [f64; 2] = [10.0, 200.0];
+
 /// Markers in one place stand side by side, so far apart.
 const ASIDE: i32 = 13;
 
@@ -18,7 +21,7 @@ pub(super) fn draw(resolution: &Table, inversions: &Table) -> String {
             let top = 40 + 250 * place as i32;
             let panel = Panel {
                 corners: [[640, top], [970, top + 170]],
-                x: Scale::log([20.0, 200.0], &[1.0, 2.0, 5.0]),
+                x: Scale::log(COSTS, &[1.0, 2.0, 5.0]),
                 y: with_zero(Scale::log([0.4, 10_000.0], &[1.0])),
             };
             panel.draw(canvas, title, "cycles a pixel, flat, Cortex-M0+", "pixels");
@@ -98,4 +101,24 @@ fn fill(method: &str) -> Fill {
 fn with_zero(mut scale: Scale) -> Scale {
     scale.ticks.push((scale.ends[0], "0".into()));
     scale
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    // Red when a marker stands on the end of the axis, over its numbers, as it is cheaper or dearer than all that is shown.
+    #[test]
+    fn costs_lie_on_their_axis() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/chart/depth-inversions.csv");
+        let table = Table::read_if_there(&root).unwrap().unwrap();
+        let costs: Vec<f64> = table.records().filter_map(|row| number(&row, "m0_cycles_per_px")).collect();
+        let [least, most] = COSTS;
+        assert!(
+            costs.len() >= 4 && costs.iter().all(|cost| (1.2 * least..most / 1.2).contains(cost)),
+            "{costs:?}"
+        );
+    }
 }

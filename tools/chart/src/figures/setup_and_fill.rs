@@ -5,7 +5,7 @@ use crate::table::{Table, number};
 
 /// A core's name in the table, its title, and the ends of its axis.
 const CORES: [(&str, &str, [f64; 2]); 2] = [
-    ("m0plus", "Cortex-M0+: cycles a triangle", [800.0, 400_000.0]),
+    ("m0plus", "Cortex-M0+: cycles a triangle", [600.0, 400_000.0]),
     ("m4", "Cortex-M4: instructions a triangle", [400.0, 200_000.0]),
 ];
 
